@@ -4,9 +4,10 @@ file(GLOB SADDLE_SHADERS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/*.glsl)
 set(SHADERS_CPP ${CMAKE_BINARY_DIR}/shaders/shaders.cpp)
 add_custom_command(
   OUTPUT ${SHADERS_CPP}
-  COMMAND ${CMAKE_COMMAND} -DOUTPUT=${SHADERS_CPP} "-DSHADERS=${SADDLE_SHADERS}"
-          -P ${CMAKE_SOURCE_DIR}/cmake/WriteShaders.cmake
-  DEPENDS ${SADDLE_SHADERS} ${CMAKE_SOURCE_DIR}/cmake/WriteShaders.cmake
+  COMMAND ${CMAKE_COMMAND} -DOUTPUT=${SHADERS_CPP} "-DFILES=${SADDLE_SHADERS}"
+          -DHEADER=render/shading/shaders.h -DFUNCTION=shader_source
+          -P ${CMAKE_SOURCE_DIR}/cmake/WriteTexts.cmake
+  DEPENDS ${SADDLE_SHADERS} ${CMAKE_SOURCE_DIR}/cmake/WriteTexts.cmake
   COMMENT "Embedding the shaders"
   VERBATIM)
 add_library(saddle_shaders STATIC ${SHADERS_CPP})

@@ -16,7 +16,7 @@ if(SADDLE_VIEWER)
   list(APPEND libraries saddle_window)
 endif()
 target_link_libraries(saddle_core
-  PUBLIC saddle_needs PRIVATE ${libraries} saddle_kernels saddle_shaders ${CMAKE_DL_LIBS})
+  PUBLIC saddle_needs PRIVATE ${libraries} saddle_kernels saddle_shaders saddle_page ${CMAKE_DL_LIBS})
 
 # add_objects(NAME SOURCE...): objects of saddle_core.
 function(add_objects name)
@@ -48,8 +48,8 @@ foreach(folder study ${folders})
     add_objects(exact ${exact})
     # GCC 12 has false alarms where numbers of 700 digits become ones of 50.
     target_compile_options(saddle_exact PRIVATE -O1 -Wno-array-bounds)
-  elseif(folder STREQUAL view AND NOT SADDLE_VIEWER)
-    list(FILTER sources EXCLUDE REGEX "/(window|panel|overlay|fields|widgets|viewer)\\.cpp$")
+  elseif(folder MATCHES "^view/(panel|window)$" AND NOT SADDLE_VIEWER)
+    continue()
   endif()
   if(NOT sources)
     continue()

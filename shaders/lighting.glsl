@@ -13,6 +13,8 @@
 //   EMISSION     some material shines by itself
 //   UNLIT        there is no light: the colour as it is
 //   COLORED      the surface has a colour of its own at each point, in place of its materials'
+//   TEXTURED     the fragment shader multiplies what is reflected diffusely, `matt`, by a texel:
+//                that of a PICTURE, in place of the materials' colours, or of a CHECKER
 //   TWO_SIDED    back faces are seen; TWO_MATERIALS: they look different
 // Those of the default scene follow, so that this file is valid on its own.
 #ifndef LIGHT_COUNT
@@ -27,6 +29,7 @@
 #define TWO_SIDED
 #define TWO_MATERIALS
 #endif
+#define MATT color
 
 #ifdef LIT
 #ifdef GREY
@@ -57,7 +60,15 @@ uniform float color_scale;  // from the mesh's numbers to places in the colormap
 uniform float color_offset;
 vec3 tint;  // of the point that is lit
 #else
+#ifndef PICTURE
 uniform vec3 front_diffuse;
+#endif
+#endif
+#ifdef TEXTURED
+vec3 matt;  // what is reflected diffusely, but for the texel
+#ifndef PER_VERTEX
+vec3 texel;  // of the point that is lit
+#endif
 #endif
 #ifdef SPECULAR
 uniform vec3 front_specular;
@@ -65,7 +76,9 @@ uniform float front_shininess;
 #endif
 #ifdef AMBIENT
 #ifndef COLORED
+#ifndef PICTURE
 uniform vec3 front_ambient;
+#endif
 #endif
 #endif
 #ifdef EMISSION
@@ -73,7 +86,9 @@ uniform vec3 front_emission;
 #endif
 #ifdef TWO_MATERIALS
 #ifndef COLORED
+#ifndef PICTURE
 uniform vec3 back_diffuse;
+#endif
 #endif
 #ifdef SPECULAR
 uniform vec3 back_specular;
@@ -81,7 +96,9 @@ uniform float back_shininess;
 #endif
 #ifdef AMBIENT
 #ifndef COLORED
+#ifndef PICTURE
 uniform vec3 back_ambient;
+#endif
 #endif
 #endif
 #ifdef EMISSION
@@ -252,17 +269,25 @@ void smooth_spot_light(int i) {
 #endif
 #endif
 
-// What the front or the back sends to the eye; `n` is the unit normal of that side.
+// What the front or the back sends to the eye; `n` is the unit normal of that side. MATT is `matt`
+// with a texture, else `color`.
 vec3 shade(bool front, vec3 at, vec3 n, vec3 eye_direction) {
   vec3 color = vec3(0.0);
+#ifdef TEXTURED
+  matt = vec3(0.0);
+#endif
 #ifdef UNLIT
 #ifdef COLORED
   color = tint;
 #else
-#ifdef TWO_MATERIALS
-  color = front ? front_diffuse : back_diffuse;
+#ifdef PICTURE
+  matt = vec3(1.0);
 #else
-  color = front_diffuse;
+#ifdef TWO_MATERIALS
+  MATT = front ? front_diffuse : back_diffuse;
+#else
+  MATT = front_diffuse;
+#endif
 #endif
 #endif
 #endif
@@ -293,10 +318,14 @@ vec3 shade(bool front, vec3 at, vec3 n, vec3 eye_direction) {
 #ifdef COLORED
   color += diffuse * tint;
 #else
-#ifdef TWO_MATERIALS
-  color += diffuse * (front ? front_diffuse : back_diffuse);
+#ifdef PICTURE
+  matt += vec3(diffuse);
 #else
-  color += diffuse * front_diffuse;
+#ifdef TWO_MATERIALS
+  MATT += diffuse * (front ? front_diffuse : back_diffuse);
+#else
+  MATT += diffuse * front_diffuse;
+#endif
 #endif
 #endif
 #ifdef SPECULAR
@@ -310,12 +339,21 @@ vec3 shade(bool front, vec3 at, vec3 n, vec3 eye_direction) {
 #ifdef COLORED
   color += ambient * tint;
 #else
-#ifdef TWO_MATERIALS
-  color += ambient * (front ? front_ambient : back_ambient);
+#ifdef PICTURE
+  matt += vec3(ambient);
 #else
-  color += ambient * front_ambient;
+#ifdef TWO_MATERIALS
+  MATT += ambient * (front ? front_ambient : back_ambient);
+#else
+  MATT += ambient * front_ambient;
 #endif
 #endif
+#endif
+#endif
+#endif
+#ifdef TEXTURED
+#ifndef PER_VERTEX
+  color += matt * texel;
 #endif
 #endif
   return color;

@@ -3,8 +3,14 @@
 
 #ifdef PER_VERTEX
 in vec3 front_color;
+#ifdef TEXTURED
+in vec3 front_matt;
+#endif
 #ifdef TWO_SIDED
 in vec3 back_color;
+#ifdef TEXTURED
+in vec3 back_matt;
+#endif
 #endif
 #else
 in vec3 eye_position;
@@ -26,8 +32,40 @@ uniform mat4 model_to_eye;
 #ifdef SEE_THROUGH
 uniform float opacity;  // of a see-through surface
 #endif
+#ifdef TEXTURED
+in vec2 texture_place;  // 0 to 1 over the ranges of u and v
+uniform vec3 texture_scale;  // how often the picture repeats, or how many cells there are; z is 1
+#endif
+#ifdef PICTURE
+uniform sampler2D picture;
+#endif
 
 out vec4 pixel;
+
+#ifdef PICTURE
+vec3 texel_here() {
+  return texture(picture, texture_place * texture_scale.xy).rgb;
+}
+#endif
+#ifdef CHECKER
+// Every other cell reflects less.
+const float DARK_CELL = 0.4;
+const float LEAST_FOOTPRINT = 1e-6;
+
+// Goes down by 1/2 over even cells and up over odd ones: its difference over a width is how much
+// more of the width is in even cells than in odd ones.
+vec2 zigzag(vec2 at) {
+  return abs(fract(0.5 * at) - 0.5);
+}
+
+// The mean over the pixel.
+vec3 texel_here() {
+  vec2 at = texture_place * texture_scale.xy;
+  vec2 width = max(fwidth(at), vec2(LEAST_FOOTPRINT));
+  vec2 even = 2.0 * (zigzag(at - 0.5 * width) - zigzag(at + 0.5 * width)) / width;
+  return vec3(mix(DARK_CELL, 1.0, 0.5 + 0.5 * even.x * even.y));
+}
+#endif
 
 #ifndef PER_VERTEX
 // The side is the winding's, never the sign of normal.view: an interpolated normal may lean away
@@ -57,10 +95,19 @@ vec3 surface_normal() {
 
 vec3 color() {
 #ifdef PER_VERTEX
+#ifdef TEXTURED
+  vec3 texel = texel_here();
+#ifdef TWO_SIDED
+  return gl_FrontFacing ? front_color + front_matt * texel : back_color + back_matt * texel;
+#else
+  return front_color + front_matt * texel;
+#endif
+#else
 #ifdef TWO_SIDED
   return gl_FrontFacing ? front_color : back_color;
 #else
   return front_color;
+#endif
 #endif
 #else
   vec3 way = way_to_eye(eye_position);
@@ -77,6 +124,9 @@ vec3 color() {
 #endif
 #ifdef COLORED
   tint = color_of(color_number);
+#endif
+#ifdef TEXTURED
+  texel = texel_here();
 #endif
   return shade(front, eye_position, facing(n, way), unit(way));
 #endif

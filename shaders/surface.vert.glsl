@@ -12,6 +12,11 @@ layout(location = 2) in vec2 parameters;
 layout(location = 4) in float trust;
 #endif
 
+#ifdef TEXTURED
+layout(location = 7) in vec2 corner_place;
+out vec2 texture_place;
+#endif
+
 // Composed in double: the product of two float matrices would lose depth where the eye is far away.
 uniform mat4 model_to_clip;
 uniform mat4 model_to_eye;
@@ -21,8 +26,14 @@ uniform mat3 normal_to_eye;  // where model_to_eye is more than a rotation, a fa
 
 #ifdef PER_VERTEX
 out vec3 front_color;
+#ifdef TEXTURED
+out vec3 front_matt;
+#endif
 #ifdef TWO_SIDED
 out vec3 back_color;
+#ifdef TEXTURED
+out vec3 back_matt;
+#endif
 #endif
 #else
 out vec3 eye_position;
@@ -53,8 +64,14 @@ void main() {
   tint = color_of(corner_color);
 #endif
   front_color = shade(true, at, n, unit(way_to_eye(at)));
+#ifdef TEXTURED
+  front_matt = matt;
+#endif
 #ifdef TWO_SIDED
   back_color = shade(false, at, -n, unit(way_to_eye(at)));
+#ifdef TEXTURED
+  back_matt = matt;
+#endif
 #endif
 #else
   eye_position = at;
@@ -62,6 +79,9 @@ void main() {
 #ifdef COLORED
   color_number = corner_color;
 #endif
+#endif
+#ifdef TEXTURED
+  texture_place = corner_place;
 #endif
 #ifdef EXACT
   uv = parameters;

@@ -10,6 +10,7 @@
 #include <charconv>
 #include <cstddef>
 #include <optional>
+#include <ranges>
 #include <streambuf>
 #include <string_view>
 #include <system_error>
@@ -275,6 +276,13 @@ void write_file_whole(const fs::path& path, const Writer& write) {
     return write_straight(Descriptor(open(target.c_str(), O_WRONLY | O_CLOEXEC)), path, write);
   }
   StagedFile(path, write).publish();
+}
+
+void write_files_whole(std::span<const FileToWrite> files) {
+  if (files.size() == 1) return write_file_whole(files[0].path, files[0].write);
+  std::vector<StagedFile> staged;
+  for (const FileToWrite& file : files) staged.emplace_back(file.path, file.write);
+  for (StagedFile& file : std::views::reverse(staged)) file.publish();
 }
 
 void allow_many_open_files() {

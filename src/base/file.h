@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <ostream>
+#include <span>
 #include <string>
 
 namespace saddle {
@@ -17,6 +18,15 @@ namespace saddle {
 /// reason.
 void write_file_whole(const std::filesystem::path& path,
                       const std::function<void(std::ostream&)>& write);
+
+struct FileToWrite {
+  std::filesystem::path path;
+  std::function<void(std::ostream&)> write;
+};
+
+/// The same of several files that belong together: none gets its name before all are written. The
+/// first file gets its name last.
+void write_files_whole(std::span<const FileToWrite> files);
 
 /// A file that is written and has not its name yet: a run may still decide against it.
 class StagedFile {

@@ -230,8 +230,30 @@ bool is_png(std::string_view bytes) {
   return bytes.starts_with("\x89PNG\r\n\x1A\n");
 }
 
+namespace {
+
+/// Throws Error (Input) for a picture that libpng would call invalid for its size.
+void check_sides(std::string_view bytes, const std::string& name) {
+  constexpr std::size_t kWidthAt =
+      16;  // behind the signature, and the first chunk's length and name
+  constexpr std::size_t kHeightAt = 20;
+  if (bytes.size() < kHeightAt + 4) return;
+  const auto number_at = [&](std::size_t at) {
+    return png_get_uint_32(reinterpret_cast<png_const_bytep>(bytes.data() + at));
+  };
+  const png_uint_32 width = number_at(kWidthAt);
+  const png_uint_32 height = number_at(kHeightAt);
+  if (width <= kLargestSide && height <= kLargestSide) return;
+  throw Error(Status::Input, name + " is " + std::to_string(width) + "x" + std::to_string(height) +
+                                 " pixels; at most " + std::to_string(kLargestSide) +
+                                 " each way are read");
+}
+
+}  // namespace
+
 PngFile decode_png(const std::string& bytes, const std::string& name) {
   if (!is_png(bytes)) throw Error(Status::Input, name + " is not a PNG file");
+  check_sides(bytes, name);
   Reader reader(bytes);
   if (reader.info == nullptr) throw Error(Status::Machine, "libpng cannot be started");
   png_uint_32 width = 0;

@@ -6,24 +6,15 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <new>
-#include <span>
 
+#include "base/deflate.h"
 #include "base/parallel.h"
 
 namespace saddle {
 namespace {
 
-// Measured on a torus with grid lines and highlights on black, 800x600, antialiased, milliseconds
-// of processor time and bytes: level 6 with the sub filter 39, 113,152; level 3 with it 16.5,
-// 133,865; level 2, 12.3, 149,776; level 1, 10.7, 157,042; level 1 unfiltered 9.1, 161,992, with
-// paeth 13.8, 165,855. Run lengths alone (Z_RLE) are no quicker, and a quarter larger. A picture is
-// looked at once more often than it is kept: four times quicker for 40 % more bytes.
-constexpr int kLevel = 1;
 constexpr std::uint8_t kSubFilter = 1;
 
-constexpr int kRawWindow = -15;  ///< 32 KiB, without a header of its own
-constexpr int kMemory = 8;       ///< zlib's default
 /// Deflate, a window of 32 KiB, the least effort; the two bytes are a multiple of 31.
 constexpr char kStreamHeader[] = {0x78, 0x01};
 
@@ -45,24 +36,6 @@ std::vector<std::uint8_t> filtered(const Image& image, int begin, int end) {
     }
   }
   return rows;
-}
-
-/// A deflate stream, up to its end or a byte boundary.
-std::string deflated(std::span<std::uint8_t> bytes, bool is_last) {
-  z_stream stream{};
-  if (deflateInit2(&stream, kLevel, Z_DEFLATED, kRawWindow, kMemory, Z_DEFAULT_STRATEGY) != Z_OK) {
-    throw std::bad_alloc();
-  }
-  constexpr std::size_t kFlush = 16;  // what a flush adds at most to the bound, rounded up
-  std::string out(deflateBound(&stream, bytes.size()) + kFlush, '\0');
-  stream.next_in = bytes.data();
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  deflate(&stream, is_last ? Z_FINISH : Z_SYNC_FLUSH);
-  out.resize(stream.total_out);
-  deflateEnd(&stream);
-  return out;
 }
 
 std::string big_endian(uLong number) {

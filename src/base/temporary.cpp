@@ -81,15 +81,15 @@ extern "C" void remove_temporaries_and_die(int signal_number) {
 }
 
 constexpr int kRandomLetters = 8;  // 36^8 names: a clash in one folder will not happen
-constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
+constexpr std::string_view kNameLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
 /// Between a file's name and the random letters. No other program's temporaries look like this.
 constexpr std::string_view kMark = ".saddle-";
 
 std::string random_letters(int count) {
   std::random_device device;
-  std::uniform_int_distribution<std::size_t> index(0, kLetters.size() - 1);
+  std::uniform_int_distribution<std::size_t> index(0, kNameLetters.size() - 1);
   std::string text;
-  for (int i = 0; i < count; ++i) text += kLetters[index(device)];
+  for (int i = 0; i < count; ++i) text += kNameLetters[index(device)];
   return text;
 }
 
@@ -112,7 +112,7 @@ bool is_temporary_name(std::string_view name) {
   if (!name.starts_with('.') || name.size() < kMark.size() + kRandomLetters) return false;
   const std::string_view end = name.substr(name.size() - kMark.size() - kRandomLetters);
   return end.starts_with(kMark) &&
-         end.find_first_not_of(kLetters, kMark.size()) == std::string_view::npos;
+         end.find_first_not_of(kNameLetters, kMark.size()) == std::string_view::npos;
 }
 
 /// Removes a file that its run has left behind: it is ours, and no process holds its lock. A
@@ -191,8 +191,8 @@ UnnamedFile::UnnamedFile() : folder_(saddle::temporary_folder()) {
   std::string name = (std::filesystem::path(folder_) / "saddle-XXXXXX").string();
   descriptor_ = mkostemp(name.data(), O_CLOEXEC);
   if (descriptor_ < 0) {
-    throw Error(Status::Machine, "no temporary file in " + folder_ + ": " + std::strerror(errno),
-                {}, "TMPDIR names the folder for temporary files");
+    throw Error(Status::Machine, "no temporary file " + name + ": " + std::strerror(errno), {},
+                "set TMPDIR to a folder that can be written to");
   }
   unlink(name.c_str());
 }

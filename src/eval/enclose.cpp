@@ -35,8 +35,8 @@ Interval enclose(Op op, [[maybe_unused]] const Interval& a, [[maybe_unused]] con
 #define SADDLE_ARGUMENTS_1 a
 #define SADDLE_ARGUMENTS_2 a, b
 #define SADDLE_ARGUMENTS_3 a, b, c
-#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, function, ...) \
-  case Op::id:                                                                     \
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, js, function, ...) \
+  case Op::id:                                                                         \
     return function(SADDLE_ARGUMENTS_##arity);
 #include "formula/ops.def"
   }

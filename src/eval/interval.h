@@ -31,7 +31,7 @@ Interval careful_product(const Interval& a, const Interval& b);
 #define SADDLE_INTERVALS_1 const Interval& a
 #define SADDLE_INTERVALS_2 const Interval &a, const Interval &b
 #define SADDLE_INTERVALS_3 const Interval &a, const Interval &b, const Interval &c
-#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, function, ...) \
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, js, function, ...) \
   Interval function(SADDLE_INTERVALS_##arity);
 #include "formula/ops.def"
 #undef SADDLE_INTERVALS_1

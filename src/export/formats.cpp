@@ -4,10 +4,17 @@
 #include <array>
 #include <cctype>
 #include <ostream>
+#include <utility>
 #include <vector>
 
+#include "export/figure.h"
+#include "export/glb.h"
+#include "export/obj.h"
+#include "export/page.h"
 #include "export/ply.h"
 #include "export/scene_png.h"
+#include "export/stl.h"
+#include "export/threemf.h"
 #include "export/video.h"
 #include "scene/toml/scene_file.h"
 
@@ -20,12 +27,89 @@ void write_toml(std::ostream& out, const Scene& scene) {
   out << write_scene(scene);
 }
 
+constexpr FileBeside kBesideObj[] = {
+    {.ending = ".mtl", .write = write_mtl},
+    {.ending = "-color.png", .write = write_color_png, .is_needed = is_colored}};
+
 constexpr std::array kFormats = {
     Format{.extension = "png",
            .kind = Kind::Picture,
            .write_picture = write_scene_png,
-           .scene_in = scene_in_png},
-    Format{.extension = "ply", .kind = Kind::Mesh, .write_mesh = write_scene_ply},
+           .scene_in = scene_in_png,
+           .magic = "\x89PNG\r\n"},
+    Format{.extension = "ply",
+           .kind = Kind::Mesh,
+           .write_mesh = write_scene_ply,
+           .scene_in = scene_in_ply,
+           .magic = "ply\n",
+           .holds = {.numbers = true, .normals = true, .uv = true, .doubles = true, .open = true},
+           .use = "programs that measure meshes"},
+    Format{.extension = "stl",
+           .kind = Kind::Mesh,
+           .write_mesh = write_stl,
+           .unit = 1,
+           .flattened = flattened_triangles,
+           .use = "printers and CAD"},
+    Format{.extension = "obj",
+           .kind = Kind::Mesh,
+           .write_mesh = write_obj,
+           .scene_in = scene_in_obj,
+           .magic = "# saddle\n",
+           .holds = {.front = true,
+                     .numbers = true,
+                     .opacity = true,
+                     .lines = true,
+                     .strokes = true,
+                     .normals = true,
+                     .uv = true,
+                     .doubles = true,
+                     .open = true},
+           .beside = kBesideObj,
+           .unit = 1,
+           .use = "modelling programs"},
+    Format{.extension = "glb",
+           .kind = Kind::Mesh,
+           .write_mesh = write_glb,
+           .scene_in = scene_in_glb,
+           .magic = "glTF",
+           .holds = {.front = true,
+                     .back = true,
+                     .numbers = true,
+                     .opacity = true,
+                     .lines = true,
+                     .strokes = true,
+                     .normals = true,
+                     .uv = true,
+                     .nodes = true,
+                     .doubles = true,
+                     .open = true},
+           .unit = 1000,
+           .use = "the web, phones, Blender"},
+    Format{
+        .extension = "3mf",
+        .kind = Kind::Mesh,
+        .write_mesh = write_3mf,
+        .scene_in = scene_in_3mf,
+        .magic = "PK\x03\x04",
+        .holds = {.front = true, .back = true, .numbers = true, .opacity = true, .doubles = true},
+        .unit = 1,
+        .use = "printers, with colours and units"},
+    Format{.extension = "html",
+           .kind = Kind::Page,
+           .write_page = write_page,
+           .takes_sliders = true,
+           .scene_in = scene_in_page,
+           .magic = "<!DOCTYPE html>"},
+    Format{.extension = "svg",
+           .kind = Kind::Page,
+           .write_page = write_svg,
+           .scene_in = scene_in_svg,
+           .magic = "<?xml"},
+    Format{.extension = "pdf",
+           .kind = Kind::Page,
+           .write_page = write_pdf,
+           .scene_in = scene_in_pdf,
+           .magic = "%PDF"},
     Format{.extension = "toml", .kind = Kind::Scene, .write_scene = write_toml},
     Format{.extension = "gif", .kind = Kind::Animation, .video = &kGif},
     Format{.extension = "mp4", .kind = Kind::Animation, .video = &kMp4},
@@ -45,6 +129,13 @@ const Format* find_format(std::string_view extension) {
   return found == kFormats.end() ? nullptr : found;
 }
 
+const Format* format_of_bytes(std::string_view bytes) {
+  for (const Format& format : kFormats) {
+    if (!format.magic.empty() && bytes.starts_with(format.magic)) return &format;
+  }
+  return nullptr;
+}
+
 std::string extension_of(const std::filesystem::path& path) {
   const std::string with_point = path.extension().string();
   return with_point.empty() ? "" : with_point.substr(1);
@@ -57,6 +148,33 @@ std::string format_list() {
     text += kFormats[i].extension;
   }
   return text;
+}
+
+std::string format_table() {
+  constexpr std::pair<const char*, bool Holds::*> kColumns[] = {
+      {"front", &Holds::front},     {"back", &Holds::back},   {"color", &Holds::numbers},
+      {"opacity", &Holds::opacity}, {"lines", &Holds::lines}, {"curves", &Holds::strokes},
+      {"normals", &Holds::normals}, {"u,v", &Holds::uv},      {"nodes", &Holds::nodes},
+      {"doubles", &Holds::doubles}, {"open", &Holds::open}};
+  const auto padded = [](std::string_view word, std::size_t width) {
+    return std::string(word) + std::string(width - word.size() + 2, ' ');
+  };
+  std::string text = "Formats of meshes, what they have room for, and what they are for:\n\n  ";
+  text += padded("", 4);
+  for (const auto& [name, holds] : kColumns) text += padded(name, std::string_view(name).size());
+  text += "scene  for\n";
+  for (const Format& format : kFormats) {
+    if (format.kind != Format::Kind::Mesh) continue;
+    text += "  " + padded("." + std::string(format.extension), 4);
+    for (const auto& [name, holds] : kColumns) {
+      text += padded(format.holds.*holds ? "+" : "-", std::string_view(name).size());
+    }
+    text += padded(format.carries_scene() ? "+" : "-", 5) + std::string(format.use) + "\n";
+  }
+  return text +
+         "\nfront, back: colours of the sides. color: of --color. lines: on surfaces. curves: and "
+         "points,\nwithout a radius. nodes: a mesh once for all of its places. open: surfaces that "
+         "are no solid.\nscene: saddle FILE opens it again.\n";
 }
 
 std::string extension_list(std::optional<Format::Kind> kind) {

@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/image_png.h"
 #include "export/formats.h"
 #include "scene/toml/scene_file.h"
 
@@ -25,7 +24,7 @@ Scene scene_of(const std::string& bytes, const std::string& name, const Format* 
     const std::optional<std::string> text = format->scene_in(bytes, name);
     if (text) return read_scene({name, *text}, theme);
     throw Error(Status::Input, name + " holds no scene", {},
-                "a picture keeps its scene until another program saves it");
+                "a file keeps its scene until another program saves it");
   }
   if (bytes.size() > kMaxTomlBytes) {
     throw Error(Status::Input, name + " is larger than 4 MiB", {},
@@ -52,7 +51,7 @@ Scene load_standard_input(const std::optional<Theme>& theme) {
     throw Error(Status::Input, name + " is empty", {},
                 "for example saddle show torus | saddle - -o torus.png");
   }
-  return scene_of(bytes, name, is_png(bytes) ? find_format("png") : nullptr, theme);
+  return scene_of(bytes, name, format_of_bytes(bytes), theme);
 }
 
 }  // namespace saddle

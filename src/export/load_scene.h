@@ -16,7 +16,7 @@ bool has_scene_extension(const std::filesystem::path& path);
 /// or holds no scene; Machine if it cannot be read. `theme`: in place of the file's.
 Scene load_scene(const std::filesystem::path& path, const std::optional<Theme>& theme = {});
 
-/// The same of what standard input holds: a scene file, or a PNG that carries a scene.
+/// The same of what standard input holds: a scene file, or a file that carries one.
 Scene load_standard_input(const std::optional<Theme>& theme = {});
 
 }  // namespace saddle

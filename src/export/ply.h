@@ -2,13 +2,12 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "export/content.h"
 #include "export/placed_meshes.h"
-#include "mesh/model/mesh.h"
 
 namespace saddle {
 
@@ -16,20 +15,17 @@ namespace saddle {
 /// would round a position by more than kFloatRounding of the diagonal), `u v` as double; faces
 /// `list uchar int vertex_indices`, triangles. A vertex is a corner of a mesh. Streamed: the file
 /// is never in memory.
-/// Where a mesh is coloured, vertices end with `red green blue` as uchar: colors[i] are those of
-/// the corners of mesh i, white for a mesh that has none. Source: G. Turk, "The PLY polygon file
-/// format", 1994. `names`: of the meshes; comments of the header tell which faces are whose. Empty:
-/// none.
-void write_ply(std::ostream& out, std::span<const Mesh> meshes,
-               std::span<const std::vector<Rgb>> colors = {},
-               std::span<const std::string> names = {});
+/// Where a mesh is coloured, vertices end with `red green blue` as uchar, white for a mesh that has
+/// no numbers to colour by. `comments`: more lines of the header. Source: G. Turk, "The PLY polygon
+/// file format", 1994.
+void write_ply(std::ostream& out, std::span<const ExportedMesh> meshes,
+               const std::string& comments = {});
 
-/// write_ply() of the meshes where the scene's nodes have them, with their colours, and with their
-/// names where there are several or one has a name of its own.
+/// write_ply() of the meshes where the scene's nodes have them. Comments of the header hold the
+/// scene, and tell which faces are whose where there are several or one has a name of its own.
 void write_scene_ply(std::ostream& out, const MeshContent& content);
 
-/// Rounding of positions to float beyond this share of the bounding box's diagonal makes them
-/// doubles: a tenth of the finest tolerance that meshes are asked for.
-inline constexpr double kFloatRounding = 1e-7;
+/// The scene file in a PLY of write_scene_ply().
+std::optional<std::string> scene_in_ply(const std::string& bytes, const std::string& name);
 
 }  // namespace saddle

@@ -98,9 +98,9 @@ struct ChainRule {
       case Op::Constant:
       case Op::Variable:
         break;
-#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, function, kind, infinite, \
-                  derivative)                                                                 \
-  case Op::id:                                                                                \
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, js, function, kind, infinite, \
+                  numbers, derivative)                                                            \
+  case Op::id:                                                                                    \
     return derivative;
 #include "formula/ops.def"
     }

@@ -45,7 +45,7 @@ inline Expression make(Op op, Expression a, Expression b, Expression c) {
   inline Expression name(Expression a, Expression b, Expression c) { \
     return make(Op::op, a, b, c);                                    \
   }
-#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, function, ...) \
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, js, function, ...) \
   SADDLE_FUNCTION_##arity(function, id)
 #include "formula/ops.def"
 #undef SADDLE_FUNCTION_1

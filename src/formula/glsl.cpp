@@ -9,6 +9,7 @@
 
 #include "base/format.h"
 #include "formula/lower.h"
+#include "formula/row_text.h"
 
 namespace saddle {
 namespace {
@@ -33,28 +34,6 @@ std::string literal(double value) {
   std::string result = formatted("%.9g", static_cast<double>(number));
   if (result.find_first_of(".e") == std::string::npos) result += ".0";
   return number < 0 ? "(" + result + ")" : result;  // - -1.0 would be a decrement
-}
-
-bool is_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
-/// `text` with the words a, b and c replaced by the arguments.
-std::string with_arguments(std::string_view text, const std::array<std::string, 3>& arguments) {
-  std::string result;
-  for (std::size_t begin = 0; begin < text.size();) {
-    std::size_t end = begin;
-    while (end < text.size() && is_word(text[end])) ++end;
-    const std::string_view word = text.substr(begin, end - begin);
-    if (word == "a" || word == "b" || word == "c") {
-      result += arguments[word[0] - 'a'];
-    } else {
-      result += word;
-    }
-    if (end < text.size()) result += text[end++];
-    begin = end;
-  }
-  return result;
 }
 
 std::string operand(const Graph& graph, NodeId id, std::span<const Symbol> constants) {

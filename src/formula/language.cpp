@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <complex>
 #include <limits>
+
+#include "formula/operations.h"
 
 namespace saddle {
 namespace {
-
-/// A built-in function and how its call becomes nodes.
-struct Row {
-  BuiltIn function;
-  Expression (*call)(std::span<const Expression>);
-};
 
 /// A line of the help: a heading, or a row's "call   what it is".
 struct HelpLine {
@@ -19,7 +16,8 @@ struct HelpLine {
   bool heading = false;
 };
 
-Expression argument(std::span<const Expression> arguments, std::size_t index) {
+template <class T>
+T argument(std::span<const T> arguments, std::size_t index) {
   return arguments[std::min(index, arguments.size() - 1)];
 }
 
@@ -29,61 +27,106 @@ Expression call_operation(std::span<const Expression> arguments) {
 }
 
 template <Op op>
-Expression fold(std::span<const Expression> arguments) {
+Expression fold_arguments(std::span<const Expression> arguments) {
   Expression result = arguments[0];
   for (const Expression& next : arguments.subspan(1)) result = make(op, result, next);
   return result;
 }
 
-Expression no_call(std::span<const Expression> arguments) {
-  return arguments[0];
-}
-
 constexpr std::string_view kDiffHelp =
     "diff(a,u)  exact partial derivative of a by u, v, t, a parameter or an argument";
 
+// The numbers column of ops.def, for functions of a, b and c.
+#define SADDLE_OF_COMPLEX_REAL(expression) nullptr
+#define SADDLE_OF_COMPLEX_COMPLEX(expression)                  \
+  [](std::span<const Complex> arguments) -> Complex {          \
+    [[maybe_unused]] const Complex a = argument(arguments, 0); \
+    [[maybe_unused]] const Complex b = argument(arguments, 1); \
+    return complex(expression);                                \
+  }
+#define SADDLE_CALL_1(function) function(a)
+#define SADDLE_CALL_2(function) function(a, b)
+#define SADDLE_CALL_3(function) function(a, b, c)
+
+Complex complex(const Complex& a) {
+  return a;
+}
+Complex complex(Expression a) {
+  return {a, a.of(0)};
+}
+
 /// All rows of the table; operators and internal operations are among them, under names that no
 /// formula can call.
-std::span<const Row> rows() {
+std::span<const BuiltIn> rows() {
   static constexpr std::array kRows = {
-#define SADDLE_OP(id, name, arity, help, ...) \
-  Row{{name, arity, arity, help}, &call_operation<Op::id>},
-#define SADDLE_COMPOSITE(name, arity, expression, help)                                      \
-  Row{{#name, arity, arity, help}, [](std::span<const Expression> arguments) -> Expression { \
-        [[maybe_unused]] const Expression a = argument(arguments, 0);                        \
-        [[maybe_unused]] const Expression b = argument(arguments, 1);                        \
-        [[maybe_unused]] const Expression c = argument(arguments, 2);                        \
-        return expression;                                                                   \
-      }},
-#define SADDLE_FOLD(name, op, finish, help)                                                   \
-  Row{{#name, 1, kAnyNumber, help}, [](std::span<const Expression> arguments) -> Expression { \
-        const Expression r = fold<Op::op>(arguments);                                         \
-        [[maybe_unused]] const Expression n = r.of(static_cast<double>(arguments.size()));    \
-        return finish;                                                                        \
-      }},
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, js, function, kind, infinite, \
+                  numbers, derivative)                                                            \
+  BuiltIn{name,                                                                                   \
+          arity,                                                                                  \
+          arity,                                                                                  \
+          help,                                                                                   \
+          &call_operation<Op::id>,                                                                \
+          SADDLE_OF_COMPLEX_##numbers(SADDLE_CALL_##arity(function))},
+#define SADDLE_COMPOSITE(name, arity, numbers, expression, help)          \
+  BuiltIn{#name,                                                          \
+          arity,                                                          \
+          arity,                                                          \
+          help,                                                           \
+          [](std::span<const Expression> arguments) -> Expression {       \
+            [[maybe_unused]] const Expression a = argument(arguments, 0); \
+            [[maybe_unused]] const Expression b = argument(arguments, 1); \
+            [[maybe_unused]] const Expression c = argument(arguments, 2); \
+            return expression;                                            \
+          },                                                              \
+          SADDLE_OF_COMPLEX_##numbers(expression)},
+#define SADDLE_FOLD(name, op, finish, help)                                                    \
+  BuiltIn{#name,                                                                               \
+          1,                                                                                   \
+          kAnyNumber,                                                                          \
+          help,                                                                                \
+          [](std::span<const Expression> arguments) -> Expression {                            \
+            const Expression r = fold_arguments<Op::op>(arguments);                            \
+            [[maybe_unused]] const Expression n = r.of(static_cast<double>(arguments.size())); \
+            return finish;                                                                     \
+          },                                                                                   \
+          nullptr,                                                                             \
+          Op::op},
+#define SADDLE_TYPED(name, signature, expression, help) \
+  BuiltIn{#name,                                        \
+          static_cast<int>(sizeof(signature)) - 1,      \
+          static_cast<int>(sizeof(signature)) - 1,      \
+          help,                                         \
+          nullptr,                                      \
+          nullptr,                                      \
+          std::nullopt,                                 \
+          signature,                                    \
+          [](const TypedArguments& in) -> Value { return expression; }},
 #include "formula/ops.def"
       // The parser differentiates; the row is for its name, its arity and its help.
-      Row{{"diff", 2, 2, kDiffHelp}, &no_call},
+      BuiltIn{"diff", 2, 2, kDiffHelp},
   };
   return kRows;
 }
 
 struct Constant {
   std::string_view name;
-  double value;
+  std::complex<double> value;
   std::string_view help;
 };
 
 constexpr std::array kConstants = {
 #define SADDLE_CONSTANT(name, value, help) Constant{#name, value, help},
 #include "formula/ops.def"
+    // No definition can hide it: a character that names do not have.
+    Constant{kImaginaryUnit, {0, 1}, ""},
 };
 
 constexpr std::array kHelpLines = {
 #define SADDLE_GROUP(title) HelpLine{title, true},
 #define SADDLE_OP(id, name, arity, help, ...) HelpLine{help},
-#define SADDLE_COMPOSITE(name, arity, expression, help) HelpLine{help},
+#define SADDLE_COMPOSITE(name, arity, numbers, expression, help) HelpLine{help},
 #define SADDLE_FOLD(name, op, finish, help) HelpLine{help},
+#define SADDLE_TYPED(name, signature, expression, help) HelpLine{help},
 #define SADDLE_CONSTANT(name, value, help) HelpLine{#name " " help},
 #include "formula/ops.def"
     HelpLine{"Derivatives", true},
@@ -119,20 +162,32 @@ constexpr std::array kAliases = {
 
 const BuiltIn* find_built_in(std::string_view name) {
   if (!is_word(name)) return nullptr;
-  for (const Row& row : rows()) {
-    if (row.function.name == name) return &row.function;
+  for (const BuiltIn& row : rows()) {
+    if (row.name == name) return &row;
   }
   return nullptr;
 }
 
-Expression call_built_in(const BuiltIn& function, std::span<const Expression> arguments) {
-  for (const Row& row : rows()) {
-    if (&row.function == &function) return row.call(arguments);
-  }
-  return arguments[0];
+const BuiltIn& built_in_of(Op op) {
+  // The operations are rows in their order, with composites between them.
+  static const std::vector<const BuiltIn*> kRowOf = [] {
+    std::vector<const BuiltIn*> result;
+    for (const Operation& operation : kOperations) {
+      const auto found = std::ranges::find_if(rows(), [&](const BuiltIn& row) {
+        return row.name == operation.name && row.min_arguments == operation.arity;
+      });
+      result.push_back(&*found);
+    }
+    return result;
+  }();
+  return *kRowOf[static_cast<std::size_t>(op) - static_cast<std::size_t>(kOperations[0].op)];
 }
 
-std::optional<double> find_constant(std::string_view name) {
+bool can_be_hidden(const BuiltIn& function) {
+  return function.of_typed != nullptr || function.name == "prod";
+}
+
+std::optional<std::complex<double>> find_constant(std::string_view name) {
   for (const Constant& constant : kConstants) {
     if (constant.name == name) return constant.value;
   }
@@ -141,8 +196,8 @@ std::optional<double> find_constant(std::string_view name) {
 
 std::vector<std::string> function_names() {
   std::vector<std::string> names;
-  for (const Row& row : rows()) {
-    if (is_word(row.function.name)) names.emplace_back(row.function.name);
+  for (const BuiltIn& row : rows()) {
+    if (is_word(row.name)) names.emplace_back(row.name);
   }
   return names;
 }
@@ -150,7 +205,9 @@ std::vector<std::string> function_names() {
 std::vector<std::string> constant_names() {
   std::vector<std::string> names;
   names.reserve(kConstants.size());
-  for (const Constant& constant : kConstants) names.emplace_back(constant.name);
+  for (const Constant& constant : kConstants) {
+    if (constant.name != kImaginaryUnit) names.emplace_back(constant.name);
+  }
   return names;
 }
 

@@ -28,13 +28,14 @@ constexpr std::array kSpellings = {
     Spelling{"/", TokenKind::Operator, "/"},   Spelling{"^", TokenKind::Operator, "^"},
     Spelling{"<", TokenKind::Operator, "<"},   Spelling{">", TokenKind::Operator, ">"},
     Spelling{"?", TokenKind::Operator, "?"},   Spelling{":", TokenKind::Operator, ":"},
+    Spelling{"!", TokenKind::Operator, "!"},   Spelling{"=", TokenKind::Operator, "="},
     Spelling{"(", TokenKind::Open, "("},       Spelling{")", TokenKind::Close, ")"},
     Spelling{",", TokenKind::Comma, ","},      Spelling{"·", TokenKind::Operator, "*"},
     Spelling{"⋅", TokenKind::Operator, "*"},   Spelling{"×", TokenKind::Operator, "*"},
     Spelling{"÷", TokenKind::Operator, "/"},   Spelling{"−", TokenKind::Operator, "-"},
     Spelling{"≤", TokenKind::Operator, "<="},  Spelling{"≥", TokenKind::Operator, ">="},
     Spelling{"≠", TokenKind::Operator, "!="},  Spelling{"π", TokenKind::Name, "pi"},
-    Spelling{"∞", TokenKind::Name, "inf"},
+    Spelling{"∞", TokenKind::Name, "inf"},     Spelling{"ⅈ", TokenKind::Name, "ⅈ"},
 };
 
 constexpr std::array<std::string_view, 10> kSuperscripts = {"⁰", "¹", "²", "³", "⁴",
@@ -48,9 +49,6 @@ struct Misplaced {
 };
 
 constexpr std::array kMisplaced = {
-    Misplaced{"=", "an assignment inside a formula", "to compare, write =="},
-    Misplaced{"!", "'!' is not part of the language",
-              "a factorial n! is gamma(n+1); 'not a' is a==0"},
     Misplaced{"%", "'%' is not part of the language", "the remainder of a/b is mod(a,b)"},
     Misplaced{"&", "a single '&'", "'and' is &&"},
     Misplaced{"|", "a single '|'", "'or' is ||; the absolute value of a is abs(a)"},
@@ -132,7 +130,7 @@ class Lexer {
       read_number();
     } else if (const std::size_t length = name_length(rest())) {
       push(TokenKind::Name, meant_name(rest().substr(0, length)), length);
-    } else {
+    } else if (!read_component()) {
       refuse(kMisspelt);
       if (!read_spelling() && !read_superscript()) refuse_character();
     }
@@ -149,6 +147,18 @@ class Lexer {
     }
     push(TokenKind::Number, rest().substr(0, length), length);
     tokens_.back().value = value;
+  }
+
+  /// .x behind an operand.
+  bool read_component() {
+    const bool follows = !tokens_.empty() && (tokens_.back().kind == TokenKind::Name ||
+                                              tokens_.back().kind == TokenKind::Close ||
+                                              tokens_.back().kind == TokenKind::Component);
+    if (!follows || rest()[0] != '.') return false;
+    const std::size_t length = name_length(rest().substr(1));
+    if (length == 0) return false;
+    push(TokenKind::Component, rest().substr(0, length + 1), length + 1);
+    return true;
   }
 
   bool read_spelling() {

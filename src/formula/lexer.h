@@ -21,11 +21,11 @@ struct FormulaText {
   Error error(std::string message, Span span, std::string hint = {}) const;
 };
 
-enum class TokenKind { Number, Name, Operator, Open, Close, Comma };
+enum class TokenKind { Number, Name, Operator, Open, Close, Comma, Component };
 
 struct Token {
   TokenKind kind;
-  std::string text;  ///< a name, or an operator as muparser spells it
+  std::string text;  ///< a name, .x, or an operator as muparser spells it
   double value = 0;  ///< of a number
   Span span;         ///< bytes of FormulaText::text; empty for a * that is only understood
 };

@@ -38,7 +38,8 @@ struct Operation {
 };
 
 inline constexpr std::array kOperations = {
-#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, function, kind, infinite, ...) \
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, js, function, kind, infinite, \
+                  ...)                                                                            \
   Operation{Op::id, #id, name, #function, arity, ulps, Kind::kind, Infinite::infinite},
 #include "formula/ops.def"
 };

@@ -1,176 +1,86 @@
 #include "formula/parser.h"
 
-#include <muParser.h>
-
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <memory>
-#include <unordered_map>
+#include <charconv>
+#include <cmath>
+#include <map>
 #include <utility>
 
 #include "base/nearest.h"
 #include "formula/derive.h"
 #include "formula/language.h"
+#include "formula/operands.h"
+#include "formula/program.h"
 #include "formula/syntax.h"
 
 namespace saddle {
 namespace {
 
-// muparser sees a skeleton of the formula: every operand is the variable x, every called name the
-// function f, the operators are as they were. Its byte code lists the operands in the order of
-// the text and the calls in the order of their closing brackets, which is all we need to put our
-// own names, numbers and places back.
-
-constexpr char kOperand = 'x';
-constexpr char kCall = 'f';
-
-double no_value(const double* /*arguments*/, int /*count*/) {
-  return 0;
-}
-double minus(double a) {
-  return -a;
-}
-double plus(double a) {
-  return a;
-}
-
-/// muparser's operators, with our own functions for the signs so that the byte code tells them.
-class Grammar final : public mu::ParserBase {
- public:
-  Grammar() {
-    EnableOptimizer(false);
-    Init();
-    DefineFun("f", static_cast<mu::multfun_type>(no_value), false);
-    DefineVar("x", &operand_);
-  }
-  void InitCharSets() override {
-    DefineNameChars("xf");
-    DefineOprtChars("+-*/^?<>=!&|:");
-    DefineInfixOprtChars("+-");
-  }
-  void InitFun() override {}
-  void InitConst() override {}
-  void InitOprt() override {
-    DefineInfixOprt("-", minus);
-    DefineInfixOprt("+", plus);
-  }
-
- private:
-  void Init() {
-    InitCharSets();
-    InitOprt();
-  }
-  double operand_ = 0;
+/// A value on the stack, and the tokens it is made of.
+struct Operand {
+  Value value;
+  std::size_t first = 0;
+  std::size_t last = 0;
 };
 
-bool is_function(const mu::SToken& token, mu::fun_type1 function) {
-  return token.Fun.cb._pRawFun == reinterpret_cast<mu::erased_fun_type>(function);
-}
-
-/// The skeleton, and for each of its characters the token that it comes from.
-struct Skeleton {
-  std::string text;
-  std::vector<std::size_t> token_at;
+/// The parts of a sum or product over an index, compiled.
+struct SeriesSteps {
+  std::vector<Step> body, low, high;
 };
 
-Skeleton make_skeleton(const std::vector<Token>& tokens, const Calls& calls) {
-  Skeleton skeleton;
-  for (std::size_t i = 0; i < tokens.size(); ++i) {
-    const bool operand = tokens[i].kind == TokenKind::Number || tokens[i].kind == TokenKind::Name;
-    std::string text = tokens[i].text;
-    if (operand) text = std::string(1, calls.is_call[i] ? kCall : kOperand);
-    const bool operators =
-        i > 0 && tokens[i].kind == TokenKind::Operator && tokens[i - 1].kind == TokenKind::Operator;
-    if (operators) text = " " + text;  // muparser would read a*-b's two as one
-    skeleton.text += text;
-    skeleton.token_at.insert(skeleton.token_at.end(), text.size(), i);
-  }
-  return skeleton;
+std::string number_text(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
-/// The innermost '?' whose bracket closes, or whose formula ends, before a ':'.
-const Token& unmatched_question(const std::vector<Token>& tokens) {
-  std::vector<std::vector<const Token*>> open(1);  // for each bracket level, the '?' that wait
-  for (const Token& token : tokens) {
-    if (token.kind == TokenKind::Open) open.emplace_back();
-    if (token.text == "?") open.back().push_back(&token);
-    if (token.text == ":" && !open.back().empty()) open.back().pop_back();
-    if (token.kind != TokenKind::Close) continue;
-    if (!open.back().empty()) return *open.back().back();
-    open.pop_back();
-  }
-  return open.back().empty() ? tokens.back() : *open.back().back();
-}
-
-/// A muparser error in terms of the formula.
-Error explain_grammar_error(const FormulaText& formula, const std::vector<Token>& tokens,
-                            const Skeleton& skeleton, const mu::ParserError& error) {
-  // muparser objects to a colon after it has passed it, to everything else before.
-  const int passed = error.GetCode() == mu::ecMISPLACED_COLON ? 1 : 0;
-  const auto position = static_cast<std::size_t>(std::max(0, error.GetPos() - passed));
-  const bool at_end =
-      error.GetCode() == mu::ecUNEXPECTED_EOF || position >= skeleton.token_at.size();
-  const std::size_t index = at_end ? tokens.size() - 1 : skeleton.token_at[position];
-  const Token& token = tokens[index];
-  if (error.GetCode() == mu::ecMISSING_ELSE_CLAUSE) {
-    return formula.error("a '?' without its ':'", unmatched_question(tokens).span,
-                         "write a ? b : c");
-  }
-  if (error.GetCode() == mu::ecMISPLACED_COLON) {
-    return formula.error("a ':' without its '?'", token.span, "write a ? b : c");
-  }
-  if (at_end) {
-    const Span after = {token.span.end, token.span.end};
-    return formula.error("the formula ends where an operand is expected",
-                         token.kind == TokenKind::Operator ? token.span : after,
-                         kMissingOperandHint);
-  }
-  if (token.kind == TokenKind::Close || token.kind == TokenKind::Comma) {
-    return formula.error("an operand is missing here", token.span, kMissingOperandHint);
-  }
-  return formula.error("an operand is missing before '" + token.text + "'", token.span,
-                       "an operator stands between two operands");
-}
-
-/// Replays the byte code on a stack of nodes.
+/// Runs the steps of a formula on a stack of values.
 class Lifter {
  public:
   Lifter(Graph& graph, const FormulaText& formula, const Names& names)
       : graph_(graph), formula_(formula), names_(names), tokens_(tokenize(formula)) {
-    calls_ = find_calls(tokens_);
+    brackets_ = find_brackets(formula_, tokens_, [&](const std::string& name) {
+      return (name == "sum" || name == "prod") && names_.function(name) == nullptr;
+    });
+    mark_indices();
     explain_misused_names();
-    explain_slips(formula_, tokens_, calls_);
-    collect_operands();
+    explain_slips(formula_, tokens_, brackets_);
   }
 
-  NodeId run() {
-    Grammar grammar;
-    const Skeleton skeleton = make_skeleton(tokens_, calls_);
-    if (skeleton.text.size() >= static_cast<std::size_t>(mu::MaxLenExpression)) {
-      throw formula_.error("the formula has more than 20000 numbers, names and operators",
-                           tokens_.back().span, "give its parts names: w=..., then use w");
+  Value run() {
+    const std::vector<Step> steps = compile({0, tokens_.size()});
+    for (const Series& series : brackets_.series) {
+      series_[series.name] = {compile(series.body), compile(series.low), compile(series.high)};
     }
-    try {
-      grammar.SetExpr(skeleton.text);
-      grammar.Eval();  // this is what makes the byte code
-      const mu::ParserByteCode& code = grammar.GetByteCode();
-      for (const mu::SToken* step = code.GetBase(); step->Cmd != mu::cmEND; ++step) lift(*step);
-    } catch (const mu::ParserError& error) {
-      throw explain_grammar_error(formula_, tokens_, skeleton, error);
-    }
-    return pop();
+    return run(steps).value;
   }
 
  private:
+  std::vector<Step> compile(TokenRange range) const {
+    return compile_steps(formula_, tokens_, brackets_, range);
+  }
+
+  /// Names that an index has a meaning for; it hides every other.
+  void mark_indices() {
+    is_index_.resize(tokens_.size(), false);
+    for (const Series& series : brackets_.series) {
+      is_index_[series.index] = true;
+      for (std::size_t i = series.body.begin; i < series.body.end; ++i) {
+        const bool is_it = tokens_[i].kind == TokenKind::Name && !brackets_.is_call[i] &&
+                           tokens_[i].text == tokens_[series.index].text;
+        if (is_it) is_index_[i] = true;
+      }
+    }
+  }
+
   /// Names that stand where they cannot: a function without brackets, a variable that is called,
   /// an unknown name.
   void explain_misused_names() const {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (tokens_[i].kind != TokenKind::Name) continue;
+      if (tokens_[i].kind != TokenKind::Name || is_index_[i]) continue;
       const bool variable = names_.variable(tokens_[i].text).has_value();
       const bool function = is_function_name(tokens_[i].text);
-      if (calls_.is_call[i] ? function : variable) continue;
+      if (brackets_.is_call[i] ? function : variable) continue;
       if (variable) {
         throw formula_.error("'" + tokens_[i].text + "' is not a function", tokens_[i].span,
                              "for a product write " + tokens_[i].text + "*(...)");
@@ -217,7 +127,7 @@ class Lifter {
 
   Error unknown_name(std::size_t index) const {
     const Token& token = tokens_[index];
-    const bool call = calls_.is_call[index];
+    const bool call = brackets_.is_call[index];
     std::vector<std::string> known = call ? names_.known_functions() : names_.known_variables();
     std::string hint = call ? "known functions:" : "known names:";
     for (const std::string& name : known) hint += " " + name;
@@ -227,79 +137,137 @@ class Lifter {
     known.insert(known.end(), others.begin(), others.end());
     std::optional<std::string> meant = known_elsewhere_as(token.text);
     if (!meant) meant = nearest_name(token.text, known);
-    if (meant) hint += " ; did you mean '" + *meant + "'?";
+    if (meant) hint += "; did you mean '" + *meant + "'?";
     return formula_.error("unknown name '" + token.text + "'", token.span, hint);
   }
 
-  void collect_operands() {
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (tokens_[i].kind == TokenKind::Number) {
-        operands_.push_back(graph_.constant(tokens_[i].value));
-      } else if (tokens_[i].kind == TokenKind::Name && !calls_.is_call[i]) {
-        operands_.push_back(*names_.variable(tokens_[i].text));
-      }
-    }
-  }
-
-  void lift(const mu::SToken& step) {
-    switch (step.Cmd) {
-      case mu::cmVAR:
-        stack_.push_back(operands_[next_operand_++]);
-        return;
-      case mu::cmIF:
-      case mu::cmELSE:
-        return;  // condition and branches wait on the stack for cmENDIF
-      case mu::cmENDIF:
-        return lift_operation(Op::Select);
-      case mu::cmFUNC:
-        if (is_function(step, minus)) return lift_operation(Op::Neg);
-        if (is_function(step, plus)) return;
-        // muparser marks functions of any number of arguments by a negative count.
-        return lift_call(static_cast<std::size_t>(std::abs(step.Fun.argc)));
-      default:
-        return lift_operation(binary_operation(step.Cmd));
-    }
-  }
-
-  static Op binary_operation(mu::ECmdCode code) {
-    static constexpr std::array kOperations = {
-        std::pair{mu::cmLE, Op::LessEqual}, std::pair{mu::cmGE, Op::GreaterEqual},
-        std::pair{mu::cmNEQ, Op::NotEqual}, std::pair{mu::cmEQ, Op::Equal},
-        std::pair{mu::cmLT, Op::Less},      std::pair{mu::cmGT, Op::Greater},
-        std::pair{mu::cmADD, Op::Add},      std::pair{mu::cmSUB, Op::Sub},
-        std::pair{mu::cmMUL, Op::Mul},      std::pair{mu::cmDIV, Op::Div},
-        std::pair{mu::cmPOW, Op::Pow},      std::pair{mu::cmLAND, Op::And},
-        std::pair{mu::cmLOR, Op::Or}};
-    for (const auto& [command, operation] : kOperations) {
-      if (command == code) return operation;
-    }
-    throw mu::ParserError(mu::ecINTERNAL_ERROR);
-  }
-
-  void lift_operation(Op op) {
-    std::array<NodeId, 3> args = {0, 0, 0};
-    for (int i = arity(op); i-- > 0;) args[i] = pop();
-    stack_.push_back(graph_.make(op, args[0], args[1], args[2]));
-  }
-
-  void lift_call(std::size_t count) {
-    const std::size_t index = calls_.by_closing[next_call_++];
-    const Token& token = tokens_[index];
-    std::vector<NodeId> arguments(stack_.end() - static_cast<std::ptrdiff_t>(count), stack_.end());
-    stack_.resize(stack_.size() - count);
-    if (const HelperFunction* function = names_.function(token.text)) {
-      check_count(index, count, function->arguments.size(), function->arguments.size());
-      stack_.push_back(call_helper(*function, arguments));
-    } else {
-      const BuiltIn& built_in = *find_built_in(token.text);
-      check_count(index, count, built_in.min_arguments, built_in.max_arguments);
-      stack_.push_back(built_in.name == "diff" ? differentiate(token, arguments)
-                                               : call(built_in, arguments));
-    }
-    if (graph_.size() > kMaxOperations) {
-      throw formula_.error("the formulas grow past 250000 operations", token.span,
+  Operand run(const std::vector<Step>& steps) {
+    for (const Step& step : steps) {
+      run(step);
+      if (graph_.size() <= kMaxOperations) continue;
+      throw formula_.error("the formulas grow past 250000 operations",
+                           tokens_[stack_.back().first].span,
                            "functions that call functions multiply; use fewer levels");
     }
+    const Operand result = stack_.back();
+    stack_.pop_back();
+    return result;
+  }
+
+  void run(const Step& step) {
+    switch (step.kind) {
+      case Step::Kind::Operand:
+        if (const Series* series = brackets_.series_of(step.token)) {
+          const Value value = unroll(*series);
+          return stack_.push_back({value, series->name, series->close});
+        }
+        return stack_.push_back({operand(step.token), step.token, step.token});
+      case Step::Kind::Operation:
+        return run_operation(step.op);
+      case Step::Kind::Not:
+        stack_.push_back({Value(graph_.constant(0)), stack_.back().first, stack_.back().last});
+        return run_operation(Op::Equal);
+      case Step::Kind::Call:
+        return run_call(step);
+      case Step::Kind::Vector:
+        return replace(step.count, step.token, step.token, brackets_.close_of[step.token],
+                       [&](auto values) { return make_vector(values); });
+      case Step::Kind::Component:
+        return run_component(step.token);
+    }
+  }
+
+  Value operand(std::size_t token) {
+    const std::string& name = tokens_[token].text;
+    if (tokens_[token].kind == TokenKind::Number) {
+      return Value(graph_.constant(tokens_[token].value));
+    }
+    if (!is_index_[token]) return *names_.variable(name);
+    const auto found = std::ranges::find(indices_.rbegin(), indices_.rend(), name,
+                                         &std::pair<std::string, Value>::first);
+    return found->second;
+  }
+
+  /// Puts f of the last `count` operands in their place; the result is made of the tokens from
+  /// `first` to `last`. `about`: the operator or function.
+  template <class F>
+  void replace(std::size_t count, std::size_t about, std::size_t first, std::size_t last, F f) {
+    const std::size_t base = stack_.size() - count;
+    std::vector<Value> values;
+    for (std::size_t k = base; k < stack_.size(); ++k) values.push_back(stack_[k].value);
+    try {
+      const Value result = f(std::span<const Value>(values));
+      stack_.resize(base);
+      stack_.push_back({result, first, last});
+    } catch (const TypeFault& fault) {
+      throw TypeError(formula_.error(fault.message, place_of(fault, base, about), fault.hint));
+    }
+  }
+
+  Span place_of(const TypeFault& fault, std::size_t base, std::size_t about) const {
+    const bool is_operand = fault.operand >= 0;
+    const Operand& first = stack_[base + static_cast<std::size_t>(std::max(fault.operand, 0))];
+    const Span span = tokens_[about].span;
+    // A product without a sign has no characters of its own.
+    if (!is_operand && span.begin < span.end) return span;
+    const Operand& last = is_operand ? first : stack_.back();
+    return {tokens_[first.first].span.begin, tokens_[last.last].span.end};
+  }
+
+  /// Makes the exponent of a complex base, the last operand, a number where it is known to be
+  /// whole, so that the power is a product. Its parameters cannot be differentiated by any more.
+  void fix_exponent() {
+    const Value& base = stack_[stack_.size() - 2].value;
+    Value& exponent = stack_.back().value;
+    if (base.type != Type::Complex || exponent.type != Type::Real) return;
+    const std::optional<double> value = names_.parameter_value(exponent.real());
+    if (!value || std::floor(*value) != *value) return;
+    const std::vector<bool> is_part = reachable(graph_, exponent.parts());
+    for (NodeId id = 0; id < is_part.size(); ++id) {
+      const Node& node = graph_[id];
+      if (is_part[id] && node.op == Op::Variable) names_.unrolled->exponents.insert(node.symbol);
+    }
+    exponent = Value(graph_.constant(*value));
+  }
+
+  void run_operation(Op op) {
+    const auto count = static_cast<std::size_t>(arity(op));
+    const std::size_t base = stack_.size() - count;
+    if (op == Op::Pow) fix_exponent();
+    const std::size_t sign =
+        count == 1 ? operator_before(stack_[base].first) : operator_behind(stack_[base].last);
+    const std::size_t first = count == 1 ? sign : stack_[base].first;
+    replace(count, sign, first, stack_.back().last,
+            [&](auto values) { return operate(graph_, op, values); });
+  }
+
+  /// The operator in front of an operand that begins at `token`, whose brackets may lie between.
+  std::size_t operator_before(std::size_t token) const {
+    while (token > 0 && tokens_[token].kind != TokenKind::Operator) --token;
+    return token;
+  }
+  std::size_t operator_behind(std::size_t token) const {
+    while (token + 1 < tokens_.size() && tokens_[token].kind != TokenKind::Operator) ++token;
+    return token;
+  }
+
+  void run_call(const Step& step) {
+    const std::string& name = tokens_[step.token].text;
+    const HelperFunction* const helper = names_.function(name);
+    const BuiltIn* const built_in = find_built_in(name);
+    if (helper != nullptr) {
+      check_count(step.token, step.count, helper->argument_count, helper->argument_count);
+    } else {
+      check_count(step.token, step.count, static_cast<std::size_t>(built_in->min_arguments),
+                  static_cast<std::size_t>(built_in->max_arguments));
+    }
+    if (helper == nullptr && name == "pow") fix_exponent();
+    replace(step.count, step.token, step.token, brackets_.close_of[step.token + 1],
+            [&](auto values) {
+              if (helper != nullptr) return helper->call(values);
+              return name == "diff" ? differentiate(values)
+                                    : call_built_in(graph_, *built_in, values, names_.sampler);
+            });
   }
 
   void check_count(std::size_t index, std::size_t count, std::size_t least,
@@ -319,52 +287,105 @@ class Lifter {
                          tokens_[index].span, hint);
   }
 
-  NodeId call(const BuiltIn& function, const std::vector<NodeId>& arguments) {
-    std::vector<Expression> expressions;
-    expressions.reserve(arguments.size());
-    for (const NodeId argument : arguments) expressions.push_back({&graph_, argument});
-    return call_built_in(function, expressions).id;
-  }
-
-  NodeId call_helper(const HelperFunction& function, const std::vector<NodeId>& arguments) {
-    std::unordered_map<Symbol, NodeId> replacements;
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-      replacements[function.arguments[i]] = arguments[i];
+  Value differentiate(std::span<const Value> arguments) {
+    const Value& by = arguments[1];
+    if (by.type != Type::Real || graph_[by.real()].op != Op::Variable) {
+      throw TypeFault{"'diff' needs a plain name to differentiate by",
+                      "write diff(EXPRESSION, u): u, v, t, a parameter with a number as its "
+                      "value, or an argument of the function it stands in"};
     }
-    return substitute(graph_, std::array{function.body}, replacements)[0];
-  }
-
-  NodeId differentiate(const Token& token, const std::vector<NodeId>& arguments) {
-    const Node& by = graph_[arguments[1]];
-    if (by.op != Op::Variable) {
-      throw formula_.error("'diff' needs a plain name to differentiate by", token.span,
-                           "write diff(EXPRESSION, u): u, v, t, a parameter with a number as its "
-                           "value, or an argument of the function it stands in");
+    if (names_.unrolled->exponents.contains(graph_[by.real()].symbol)) {
+      throw TypeFault{"'diff' by an exponent of a complex number", "write exp(n*ln(z)) for z^n"};
     }
-    return derive(graph_, std::array{arguments[0]}, by.symbol)[0];
+    return {arguments[0].type, derive(graph_, arguments[0].parts(), graph_[by.real()].symbol)};
   }
 
-  NodeId pop() {
-    const NodeId top = stack_.back();
-    stack_.pop_back();
-    return top;
+  /// .x, or several in a row.
+  void run_component(std::size_t token) {
+    for (; token < tokens_.size() && tokens_[token].kind == TokenKind::Component; ++token) {
+      const std::string_view name = std::string_view(tokens_[token].text).substr(1);
+      replace(1, token, stack_.back().first, token,
+              [&](auto values) { return component_of(values[0], name); });
+    }
+  }
+
+  /// The terms of a sum or product over an index, one after the other.
+  Value unroll(const Series& series) {
+    const SeriesSteps& steps = series_.at(series.name);
+    const bool is_sum = tokens_[series.name].text == "sum";
+    const double low = bound(steps.low, series.low);
+    const double high = bound(steps.high, series.high);
+    const double terms = std::max(0.0, high - low + 1);
+    if (terms + static_cast<double>(names_.unrolled->terms) > static_cast<double>(kMaxTerms)) {
+      throw formula_.error("sums and products over an index have more than 20000 terms in all",
+                           {tokens_[series.index].span.begin, tokens_[series.close - 1].span.end},
+                           number_text(terms) + " terms here; use fewer");
+    }
+    names_.unrolled->terms += static_cast<std::size_t>(terms);
+    Value result(graph_.constant(is_sum ? 0 : 1));
+    indices_.emplace_back(tokens_[series.index].text, Value());
+    for (double k = 0; k < terms; ++k) {
+      indices_.back().second = Value(graph_.constant(low + k));
+      const Operand term = run(steps.body);
+      if (k == 0) {
+        result = term.value;
+        continue;
+      }
+      stack_.push_back({result, term.first, term.last});
+      stack_.push_back(term);
+      replace(2, series.name, series.name, series.close,
+              [&](auto values) { return operate(graph_, is_sum ? Op::Add : Op::Mul, values); });
+      result = stack_.back().value;
+      stack_.pop_back();
+    }
+    indices_.pop_back();
+    return result;
+  }
+
+  /// A bound of an index: a whole number.
+  double bound(const std::vector<Step>& steps, TokenRange range) {
+    const Value value = run(steps).value;
+    const Span span = {tokens_[range.begin].span.begin, tokens_[range.end - 1].span.end};
+    std::optional<double> number;
+    if (value.type == Type::Real) number = names_.parameter_value(value.real());
+    if (!number) {
+      throw TypeError(
+          formula_.error("a bound of an index must be a constant", span,
+                         "it may use numbers, constants and parameters, not u, v or t"));
+    }
+    if (std::floor(*number) == *number && std::isfinite(*number)) return *number;
+    throw formula_.error("a bound of an index must be a whole number, not " + number_text(*number),
+                         span, "write floor(...) around it");
   }
 
   Graph& graph_;
   const FormulaText& formula_;
   const Names& names_;
   std::vector<Token> tokens_;
-  Calls calls_;
-  std::vector<NodeId> operands_;
-  std::size_t next_operand_ = 0;
-  std::size_t next_call_ = 0;
-  std::vector<NodeId> stack_;
+  Brackets brackets_;
+  std::vector<bool> is_index_;  // for each token
+  std::map<std::size_t, SeriesSteps> series_;
+  std::vector<std::pair<std::string, Value>> indices_;  // innermost last
+  std::vector<Operand> stack_;
 };
 
 }  // namespace
 
-NodeId parse_formula(Graph& graph, const FormulaText& formula, const Names& names) {
+Value parse_formula(Graph& graph, const FormulaText& formula, const Names& names) {
   return Lifter(graph, formula, names).run();
+}
+
+NodeId require_real(const Value& value, const FormulaText& formula) {
+  if (value.type == Type::Real) return value.real();
+  constexpr std::size_t kLongestQuoted = 30;  // longer formulas are "..." in the hint
+  std::string text = formula.text.substr(formula.part.begin, formula.part.end - formula.part.begin);
+  if (text.size() > kLongestQuoted) text = "...";
+  const auto of = [&](const char* function) { return function + ("(" + text + ")"); };
+  std::string hint = "write " + of("re") + ", " + of("im") + ", " + of("abs") + " or " + of("arg");
+  if (value.type != Type::Complex) hint = "write (" + text + ").x or another component";
+  if (value.type == Type::Frame) hint = "write (" + text + ").t.x or another component";
+  const std::string subject = formula.name.empty() ? "this" : formula.name;
+  throw TypeError(formula.error(subject + " is " + name_of(value.type), formula.part, hint));
 }
 
 }  // namespace saddle

@@ -2,28 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
+#include <numbers>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
 
+#include "formula/instance.h"
 #include "formula/language.h"
+#include "formula/parameters.h"
 #include "formula/parser.h"
 
 namespace saddle {
-
-std::string display_name(const Definition& definition) {
-  if (!definition.is_function) return definition.name;
-  std::string text = definition.name + "(";
-  for (const std::string& argument : definition.arguments) {
-    if (text.back() != '(') text += ", ";
-    text += argument;
-  }
-  return text + ")";
-}
-
 namespace {
 
 /// Deepest chain of definitions that use each other, the same as of brackets: some kilobytes of
@@ -31,18 +23,8 @@ namespace {
 /// large.
 constexpr std::size_t kMaxChain = 256;
 
-FormulaText formula_of(const Definition& definition) {
-  return {display_name(definition), definition.text, {0, definition.text.size()}};
-}
-
-/// An error about the name of a definition, not about its formula.
-Error name_error(const Definition& definition, std::string message, std::string hint) {
-  return formula_of(definition).error(std::move(message), {0, 0}, std::move(hint));
-}
-
-bool is_coordinate(std::string_view name) {
-  return name == "x" || name == "y" || name == "z";
-}
+/// How often helper functions may be called with ever other constants. Each is parsed anew.
+constexpr std::size_t kMaxInstances = 2000;
 
 /// The surface's own definitions and its coordinates are formulas of the surface.
 bool is_of_surface(const Definition& definition) {
@@ -56,8 +38,10 @@ struct Scope::Impl {
   struct Entry {
     Definition definition;
     Progress progress = Progress::Untouched;
-    NodeId node = 0;          // what the name stands for
-    HelperFunction function;  // of a function
+    Value value;               // what the name stands for
+    HelperFunction function;   // of a function
+    bool needs_types = false;  // of a function: its formula has a fault with real arguments
+    std::map<Pattern, FunctionForTypes> instances = {};
   };
 
   Graph& graph;
@@ -65,7 +49,7 @@ struct Scope::Impl {
   std::vector<Entry> entries;  // none is moved once its name is known
   std::map<std::pair<std::string_view, bool>, std::size_t> known_entries;  // by name, own or not
   std::vector<std::size_t> running;  // entries being parsed, outermost first
-  std::unordered_map<Symbol, NodeId> parameter_values;
+  Parameters parameters;
   /// A result of constant(): many numbers of a scene have the same text.
   struct KnownConstant {
     NodeId node = 0;
@@ -73,11 +57,11 @@ struct Scope::Impl {
     std::optional<double> t;  // that it is the value at
   };
   std::unordered_map<std::string, KnownConstant> known_constants;  // by their texts
-  std::vector<double> values;  // of the graph's nodes, at values_t
-  double values_t = 0;
   bool has_used_time = false;
+  Unrolled unrolled;
+  std::size_t instance_count = 0;
 
-  Impl(Graph& g, View how) : graph(g), view(std::move(how)) {}
+  Impl(Graph& g, View how) : graph(g), view(std::move(how)), parameters(g) {}
 
   std::optional<Symbol> independent_variable(std::string_view name) const {
     if (name == view.parameters[0]) return kSymbolU;
@@ -88,35 +72,13 @@ struct Scope::Impl {
 
   bool depends_on_time(NodeId node) const { return (graph[node].depends & kDependsT) != 0; }
 
-  double value_of_variable(Symbol symbol, double t) const {
-    if (symbol == kSymbolT) return t;
-    const auto parameter = parameter_values.find(symbol);
-    return parameter == parameter_values.end() ? std::numeric_limits<double>::quiet_NaN()
-                                               : graph[parameter->second].value;
-  }
-
-  /// The value of a root that depends on parameters and t alone. All nodes up to it are computed,
-  /// once for each t: a scene's numbers share most of theirs.
-  double evaluate(NodeId root, double t) {
-    if (t != values_t) values.clear();
-    values_t = t;
-    for (NodeId id = static_cast<NodeId>(values.size()); id <= root; ++id) {
-      const Node& node = graph[id];
-      const auto& [a, b, c] = node.args;
-      values.push_back(node.op == Op::Constant   ? node.value
-                       : node.op == Op::Variable ? value_of_variable(node.symbol, t)
-                                                 : apply(node.op, values[a], values[b], values[c]));
-    }
-    return values[root];
-  }
-
   /// Throws Error (Input) if it is no constant.
   double value(NodeId root, const FormulaText& formula, std::optional<double> t) {
     const bool moves = depends_on_time(root);
     has_used_time = has_used_time || moves;
     const bool is_of_parameters = (graph[root].depends & (kDependsU | kDependsV)) == 0;
-    if (is_of_parameters && (t || !moves)) return evaluate(root, t.value_or(values_t));
-    std::unordered_map<Symbol, NodeId> known = parameter_values;
+    if (is_of_parameters && (t || !moves)) return parameters.evaluate(root, t);
+    std::unordered_map<Symbol, NodeId> known = parameters.constants();
     if (t) known[kSymbolT] = graph.constant(*t);
     const NodeId bound = substitute(graph, std::array{root}, known)[0];
     if (graph.is_constant(bound)) return graph[bound].value;  // what was chosen has no u and v
@@ -133,7 +95,7 @@ struct Scope::Impl {
   /// The entries have room for it. Throws Error (Input).
   void add(Definition definition) {
     check_name(definition);
-    entries.push_back({std::move(definition), Progress::Untouched, 0, {}});
+    entries.emplace_back().definition = std::move(definition);
     const Definition& added = entries.back().definition;
     known_entries.emplace(std::pair(std::string_view(added.name), added.own), entries.size() - 1);
   }
@@ -158,7 +120,8 @@ struct Scope::Impl {
                                         : "u, v and t are what formulas depend on; choose another "
                                           "name");
     }
-    if (find_built_in(name) != nullptr) {
+    const BuiltIn* const built_in = find_built_in(name);
+    if (built_in != nullptr && !can_be_hidden(*built_in)) {
       throw name_error(definition, "'" + name + "' is a function of the language",
                        "choose another name");
     }
@@ -184,36 +147,86 @@ struct Scope::Impl {
       throw name_error(entry.definition, "definitions use each other more than 256 deep",
                        "use fewer levels");
     }
-    entry.progress = Progress::Running;
-    running.push_back(index);
     if (entry.definition.is_function) {
       resolve_function(entry);
     } else {
+      const Run run(*this, entry);
       resolve_value(entry);
     }
-    running.pop_back();
     entry.progress = Progress::Done;
   }
 
+  /// While an entry is being parsed.
+  class Run {
+   public:
+    Run(Impl& scope, Entry& entry) : scope_(scope), entry_(entry), before_(entry.progress) {
+      entry.progress = Progress::Running;
+      scope.running.push_back(static_cast<std::size_t>(&entry - scope.entries.data()));
+    }
+    ~Run() {
+      scope_.running.pop_back();
+      entry_.progress = before_;
+    }
+    Run(const Run&) = delete;
+    Run& operator=(const Run&) = delete;
+
+   private:
+    Impl& scope_;
+    Entry& entry_;
+    Progress before_;
+  };
+
   void resolve_value(Entry& entry) {
-    entry.node = parse_formula(graph, formula_of(entry.definition),
-                               names({}, {}, is_of_surface(entry.definition)));
+    const std::string& name = entry.definition.name;
+    entry.value = parse_formula(graph, formula_of(entry.definition),
+                                names({}, {}, is_of_surface(entry.definition)));
+    if (is_coordinate(name)) check_type(entry.value, entry.definition);
     // A parameter stays a variable until bind(), so that diff() can differentiate by it.
-    if (!graph.is_constant(entry.node) || is_coordinate(entry.definition.name)) return;
-    const Symbol symbol = graph.new_symbol();
-    parameter_values[symbol] = entry.node;
-    entry.node = graph.variable(symbol);
+    const bool is_parameter =
+        entry.value.type == Type::Real && graph.is_constant(entry.value.real());
+    if (!is_parameter || is_coordinate(name)) return;
+    entry.value = Value(parameters.define(entry.value.real(), entry.definition.kept));
   }
 
+  /// A function is checked with real arguments; one that needs others is checked when it is called.
   void resolve_function(Entry& entry) {
     HelperFunction& function = entry.function;
     function.name = entry.definition.name;
-    for (std::size_t i = 0; i < entry.definition.arguments.size(); ++i) {
-      function.arguments.push_back(graph.new_symbol());
+    function.argument_count = entry.definition.arguments.size();
+    function.call = [this, &entry](std::span<const Value> values) { return call(entry, values); };
+    const Pattern real(function.argument_count, {Type::Real, {}});
+    try {
+      instance(entry, real);
+    } catch (const TypeError&) {
+      entry.needs_types = true;
     }
-    function.body =
-        parse_formula(graph, formula_of(entry.definition),
-                      names(entry.definition.arguments, function.arguments, entry.definition.own));
+  }
+
+  Value call(Entry& entry, std::span<const Value> values) {
+    const bool are_real =
+        std::ranges::all_of(values, [](const Value& value) { return value.type == Type::Real; });
+    const bool real_are_known = entry.needs_types || (!are_real && !has_diff(entry.definition));
+    const Pattern pattern = pattern_of(parameters, values, real_are_known);
+    return apply(graph, instance(entry, pattern), pattern, values);
+  }
+
+  const FunctionForTypes& instance(Entry& entry, const Pattern& pattern) {
+    if (const auto found = entry.instances.find(pattern); found != entry.instances.end()) {
+      return found->second;
+    }
+    if (entry.progress == Progress::Running) {
+      throw circle(static_cast<std::size_t>(&entry - entries.data()));
+    }
+    if (++instance_count > kMaxInstances) {
+      throw name_error(entry.definition, "functions are called with more than 2000 other constants",
+                       "use fewer levels");
+    }
+    const Run run(*this, entry);
+    FunctionForTypes made;
+    const std::vector<Value> arguments = make_arguments(graph, pattern, made.symbols);
+    made.body = parse_formula(graph, formula_of(entry.definition),
+                              names(entry.definition.arguments, arguments, entry.definition.own));
+    return entry.instances.emplace(pattern, std::move(made)).first->second;
   }
 
   Error circle(std::size_t index) {
@@ -227,15 +240,17 @@ struct Scope::Impl {
                       "break the circle");
   }
 
-  std::optional<NodeId> variable(std::string_view name, bool of_surface) {
+  std::optional<Value> variable(std::string_view name, bool of_surface) {
     if (Entry* entry = meant(name, of_surface);
         entry != nullptr && !entry->definition.is_function) {
       resolve(*entry);
-      return entry->node;
+      return entry->value;
     }
-    if (const auto symbol = independent_variable(name)) return graph.variable(*symbol);
-    if (const auto value = find_constant(name)) return graph.constant(*value);
-    return std::nullopt;
+    if (const auto symbol = independent_variable(name)) return Value(graph.variable(*symbol));
+    const auto constant = find_constant(name);
+    if (!constant || (name == "i" && function(name, of_surface) != nullptr)) return std::nullopt;
+    const std::array parts = {graph.constant(constant->real()), graph.constant(constant->imag())};
+    return constant->imag() == 0 ? Value(parts[0]) : Value(Type::Complex, parts);
   }
 
   const HelperFunction* function(std::string_view name, bool of_surface) {
@@ -246,21 +261,24 @@ struct Scope::Impl {
   }
 
   /// The meaning of names inside a function with these arguments, which shadow everything else.
-  Names names(const std::vector<std::string>& arguments, const std::vector<Symbol>& symbols,
+  Names names(const std::vector<std::string>& arguments, const std::vector<Value>& values,
               bool of_surface) {
-    const auto argument = [arguments, symbols](std::string_view name) -> std::optional<Symbol> {
+    const auto argument = [arguments, values](std::string_view name) -> std::optional<Value> {
       const auto found = std::find(arguments.begin(), arguments.end(), name);
       if (found == arguments.end()) return std::nullopt;
-      return symbols[static_cast<std::size_t>(found - arguments.begin())];
+      return values[static_cast<std::size_t>(found - arguments.begin())];
     };
     Names result;
-    result.variable = [=, this](std::string_view name) -> std::optional<NodeId> {
-      if (const auto symbol = argument(name)) return graph.variable(*symbol);
+    result.variable = [=, this](std::string_view name) -> std::optional<Value> {
+      if (const auto value = argument(name)) return value;
       return variable(name, of_surface);
     };
     result.function = [=, this](std::string_view name) -> const HelperFunction* {
       return argument(name) ? nullptr : function(name, of_surface);
     };
+    result.parameter_value = [this](NodeId node) { return parameters.known_value(node); };
+    result.sampler = [this](std::span<const NodeId> nodes) { return sample(nodes); };
+    result.unrolled = &unrolled;
     result.known_variables = [this, arguments] {
       std::vector<std::string> known = arguments;
       known.insert(known.end(), view.parameters.begin(), view.parameters.end());
@@ -277,6 +295,45 @@ struct Scope::Impl {
       return known;
     };
     return result;
+  }
+
+  /// The meaning of names in a number of the scene. Suggestions leave out the names that depend on
+  /// u or v, and t where the number has no moment.
+  Names names_of_constant(bool has_moment) {
+    Names result = names({}, {}, view.of_surface);
+    result.known_variables = [this, has_moment, all = result.known_variables] {
+      std::vector<std::string> known = all();
+      std::erase_if(known, [&](const std::string& name) {
+        return is_coordinate(name) || name == view.parameters[0] || name == view.parameters[1] ||
+               (name == "t" && !has_moment);
+      });
+      return known;
+    };
+    return result;
+  }
+
+  /// The values of nodes all over the surface.
+  std::vector<std::vector<double>> sample(std::span<const NodeId> roots) {
+    // Without a range: once round, to either side.
+    constexpr SampledRange kUsual = {-2 * std::numbers::pi, 2 * std::numbers::pi};
+    std::array<SampledRange, 3> box = {kUsual, kUsual, kUsual};
+    for (const std::size_t which : {0U, 1U}) {
+      const auto& [min, max] = view.ranges[which];
+      if (min.empty() || max.empty()) continue;
+      const SampledRange range = {end_of_range(min), end_of_range(max)};
+      if (std::isfinite(range.max - range.min)) box[which] = range;
+    }
+    return parameters.sample(roots, box);
+  }
+
+  /// NaN where it is no constant.
+  double end_of_range(const std::string& text) {
+    try {
+      const Value end = parse_formula(graph, {"", text, {0, text.size()}}, names({}, {}, true));
+      return parameters.known_value(end.real()).value_or(std::nan(""));
+    } catch (const Error&) {
+      return std::nan("");  // it is told where the range is read, or uses what is being parsed
+    }
   }
 
   void add_defined(std::vector<std::string>& known, bool functions) const {
@@ -298,37 +355,43 @@ Scope::Scope(Graph& graph, std::vector<Definition> definitions, View view)
 Scope::~Scope() = default;
 
 NodeId Scope::node(const std::string& name) const {
-  return *impl_->variable(name, true);
+  return impl_->variable(name, true)->real();
 }
 
 NodeId Scope::parse(const std::string& name, const std::string& text, std::optional<Span> part) {
   const FormulaText formula = {name, text, part.value_or(Span{0, text.size()})};
-  return parse_formula(impl_->graph, formula, impl_->names({}, {}, impl_->view.of_surface));
+  return require_real(
+      parse_formula(impl_->graph, formula, impl_->names({}, {}, impl_->view.of_surface)), formula);
 }
 
 NodeId Scope::parse_with(const LocalNames& locals, const std::string& name,
                          const std::string& text) {
   Names names = impl_->names({}, {}, true);
-  names.variable = [this, &locals](std::string_view word) -> std::optional<NodeId> {
+  names.variable = [this, &locals](std::string_view word) -> std::optional<Value> {
     const auto local = locals.find(std::string(word));
     const bool is_local = local != locals.end() && impl_->meant(word, true) == nullptr;
-    return is_local ? local->second() : impl_->variable(word, true);
+    return is_local ? Value(local->second()) : impl_->variable(word, true);
   };
   names.known_variables = [known = names.known_variables, &locals] {
     std::vector<std::string> all = known();
     for (const auto& [local, node] : locals) all.push_back(local);
     return all;
   };
-  return parse_formula(impl_->graph, {name, text, {0, text.size()}}, names);
+  const FormulaText formula = {name, text, {0, text.size()}};
+  return require_real(parse_formula(impl_->graph, formula, names), formula);
 }
 
 double Scope::constant(const std::string& name, const std::string& text, std::optional<Span> part,
                        std::optional<double> t) {
-  if (part) return impl_->value(parse(name, text, part), {name, text, *part}, t);
-  const FormulaText formula = {name, text, {0, text.size()}};
+  const FormulaText formula = {name, text, part.value_or(Span{0, text.size()})};
+  const auto parsed = [&] {
+    return require_real(
+        parse_formula(impl_->graph, formula, impl_->names_of_constant(t.has_value())), formula);
+  };
+  if (part) return impl_->value(parsed(), formula, t);
   const auto known = impl_->known_constants.find(text);
   if (known == impl_->known_constants.end()) {
-    const NodeId node = parse(name, text);
+    const NodeId node = parsed();
     const double value = impl_->value(node, formula, t);
     impl_->known_constants.emplace(text, Impl::KnownConstant{node, value, t});
     return value;
@@ -346,14 +409,15 @@ bool Scope::has_used_time() const {
 }
 
 std::vector<NodeId> Scope::bind(std::span<const NodeId> roots, double t) {
-  std::unordered_map<Symbol, NodeId> values = impl_->parameter_values;
-  values[kSymbolT] = impl_->graph.constant(t);
+  std::unordered_map<Symbol, NodeId> values = impl_->parameters.constants();
+  std::erase_if(values, [](const auto& value) { return value.first >= kFirstKeptSymbol; });
+  if (!impl_->view.keeps_time) values[kSymbolT] = impl_->graph.constant(t);
   return substitute(impl_->graph, roots, values);
 }
 
 std::unordered_map<Symbol, double> Scope::constants() const {
   std::unordered_map<Symbol, double> values;
-  for (const auto& [symbol, node] : impl_->parameter_values) {
+  for (const auto& [symbol, node] : impl_->parameters.constants()) {
     values[symbol] = impl_->graph[node].value;
   }
   return values;

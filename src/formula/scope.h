@@ -14,21 +14,10 @@
 #include <vector>
 
 #include "base/error.h"
+#include "formula/definition.h"
 #include "formula/graph.h"
 
 namespace saddle {
-
-/// `name = text`, or `name(arguments) = text` for a helper function, as the user wrote it.
-struct Definition {
-  std::string name;
-  std::string text;
-  std::vector<std::string> arguments = {};
-  bool is_function = false;
-  bool own = false;  ///< of one surface: there it hides a shared one of the same name
-};
-
-/// How a definition is shown in messages: "r", or "f(s, t)".
-std::string display_name(const Definition& definition);
 
 /// The names of a surface's two parameters.
 using ParameterNames = std::array<std::string, 2>;
@@ -44,6 +33,9 @@ class Scope {
     bool lazy = false;
     /// parse() and constant() are for formulas of the surface; else for shared ones.
     bool of_surface = true;
+    /// Formulas of the ends of the parameters' ranges; empty: unknown.
+    std::array<std::array<std::string, 2>, 2> ranges = {};
+    bool keeps_time = false;  ///< bind() leaves t in place, as it leaves parameters that are kept
   };
 
   /// `definitions`: parameters, shared sub-expressions, helper functions and the surface's own x,
@@ -51,7 +43,8 @@ class Scope {
   /// its parameter, else the shared definition; in a shared definition the shared one comes first,
   /// and own ones are not seen. All are parsed here, used or not, unless the view is lazy. Throws
   /// Error (Input) with the place: a malformed formula, an unknown name, a definition of a
-  /// function's name or of u or v, the same name twice, a circle (the circle is shown).
+  /// function's name or of u or v, the same name twice, a circle (the circle is shown), an x, y or
+  /// z that is not real, an xyz that is no vector of 3.
   Scope(Graph& graph, std::vector<Definition> definitions, View view);
   Scope(Graph& graph, std::vector<Definition> definitions)
       : Scope(graph, std::move(definitions), View{}) {}
@@ -59,12 +52,12 @@ class Scope {
   Scope(const Scope&) = delete;
   Scope& operator=(const Scope&) = delete;
 
-  /// The node of a definition that is no function, or of a parameter of the surface. Constants
+  /// The node of a real definition that is no function, or of a parameter of the surface. Constants
   /// that have a name are variables in it: see bind().
   NodeId node(const std::string& name) const;
 
   /// Parses one more formula: the bytes `part` of `text` (all of it by default), called `name` in
-  /// messages. Throws Error (Input).
+  /// messages. It is real. Throws Error (Input).
   NodeId parse(const std::string& name, const std::string& text,
                std::optional<Span> part = std::nullopt);
 
@@ -81,7 +74,8 @@ class Scope {
   /// A value of constant() depended on t.
   bool has_used_time() const;
 
-  /// The roots with every parameter replaced by its value and t by `t`.
+  /// The roots with every parameter replaced by its value and t by `t`, but for those that are
+  /// kept.
   std::vector<NodeId> bind(std::span<const NodeId> roots, double t);
 
   /// The variables that stand for constants with a name, and their values.

@@ -1,14 +1,18 @@
 #include "formula/syntax.h"
 
+#include <algorithm>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace saddle {
 namespace {
 
+constexpr std::string_view kAssignment = "=";
+
 bool ends_operand(const Token& token) {
   return token.kind == TokenKind::Number || token.kind == TokenKind::Name ||
-         token.kind == TokenKind::Close;
+         token.kind == TokenKind::Close || token.kind == TokenKind::Component;
 }
 
 bool begins_operand(const Token& token) {
@@ -61,30 +65,115 @@ bool is_grouped(const Token& left, const Token& right) {
                           "a function, and a decimal point is '.'");
 }
 
+/// The range of `n=A:B`, which begins behind the '='.
+void read_index_range(const FormulaText& formula, const std::vector<Token>& tokens,
+                      Series& series) {
+  int depth = 0;
+  int questions = 0;
+  for (std::size_t i = series.index + 2; i < series.close; ++i) {
+    if (tokens[i].kind == TokenKind::Open) ++depth;
+    if (tokens[i].kind == TokenKind::Close) --depth;
+    if (depth == 0 && tokens[i].text == "?") ++questions;
+    if (depth != 0 || tokens[i].text != ":" || questions-- > 0) continue;
+    series.low = {series.index + 2, i};
+    series.high = {i + 1, series.close};
+    return;
+  }
+  const std::string index = tokens[series.index].text;
+  throw formula.error("the index " + index + " has no range",
+                      {tokens[series.index].span.begin, tokens[series.close - 1].span.end},
+                      "write " + index + "=1:20, from the first to the last");
+}
+
+/// The series in the brackets behind the name at `name`, if their last part is `n=A:B`.
+std::optional<Series> read_series(const FormulaText& formula, const std::vector<Token>& tokens,
+                                  std::size_t name, const std::vector<std::size_t>& commas,
+                                  std::size_t close) {
+  if (commas.empty()) return std::nullopt;
+  Series series;
+  series.name = name;
+  series.index = commas.back() + 1;
+  series.close = close;
+  const bool has_index =
+      tokens[series.index].kind == TokenKind::Name && tokens[series.index + 1].text == kAssignment;
+  if (!has_index) return std::nullopt;
+  if (commas.size() > 1) {
+    throw formula.error("'" + tokens[name].text + "' over an index takes one expression",
+                        tokens[name].span, "write " + tokens[name].text + "(EXPRESSION, n=1:20)");
+  }
+  series.body = {name + 2, commas[0]};
+  read_index_range(formula, tokens, series);
+  for (const TokenRange& part : {series.body, series.low, series.high}) {
+    if (part.begin < part.end) continue;
+    throw formula.error("an operand is missing here", tokens[part.end].span, kMissingOperandHint);
+  }
+  return series;
+}
+
+/// An operator where the language has none of that name.
+void refuse_operator(const FormulaText& formula, const std::vector<Token>& tokens, std::size_t i,
+                     const Brackets& brackets) {
+  if (tokens[i].kind != TokenKind::Operator) return;
+  const bool follows_operand = i > 0 && ends_operand(tokens[i - 1]);
+  if (tokens[i].text == "!" && follows_operand) {
+    const std::string n = tokens[i - 1].kind == TokenKind::Close ? "n" : tokens[i - 1].text;
+    throw formula.error("a factorial", tokens[i].span,
+                        "write gamma(" + n + "+1); unequal is !=, 'not a' is !a");
+  }
+  const auto is_index = [&](const Series& series) { return series.index + 1 == i; };
+  if (tokens[i].text == kAssignment && std::ranges::none_of(brackets.series, is_index)) {
+    throw formula.error("an assignment inside a formula", tokens[i].span,
+                        "to compare, write ==; an index stands last in sum(..., n=1:20)");
+  }
+}
+
 }  // namespace
 
-Calls find_calls(const std::vector<Token>& tokens) {
-  Calls calls;
-  calls.is_call.resize(tokens.size(), false);
-  std::vector<std::optional<std::size_t>> open;  // for each open bracket, the name it calls
+const Series* Brackets::series_of(std::size_t token) const {
+  const auto found = std::ranges::lower_bound(series, token, {}, &Series::name);
+  return found != series.end() && found->name == token ? &*found : nullptr;
+}
+
+Brackets find_brackets(const FormulaText& formula, const std::vector<Token>& tokens,
+                       const std::function<bool(const std::string&)>& is_series) {
+  Brackets result;
+  result.is_call.resize(tokens.size(), false);
+  result.is_vector.resize(tokens.size(), false);
+  result.open_of.resize(tokens.size(), 0);
+  result.close_of.resize(tokens.size(), 0);
+  struct Open {
+    std::size_t at;
+    std::vector<std::size_t> commas;
+  };
+  std::vector<Open> open;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (tokens[i].kind == TokenKind::Comma && !open.empty()) open.back().commas.push_back(i);
     if (tokens[i].kind == TokenKind::Open) {
-      const bool called = i > 0 && tokens[i - 1].kind == TokenKind::Name;
-      if (called) calls.is_call[i - 1] = true;
-      open.push_back(called ? std::optional(i - 1) : std::nullopt);
-    } else if (tokens[i].kind == TokenKind::Close) {
-      if (open.back()) calls.by_closing.push_back(*open.back());
-      open.pop_back();
+      if (i > 0 && tokens[i - 1].kind == TokenKind::Name) result.is_call[i - 1] = true;
+      open.push_back({i, {}});
+    }
+    if (tokens[i].kind != TokenKind::Close) continue;
+    const auto [at, commas] = open.back();
+    open.pop_back();
+    result.open_of[i] = at;
+    result.close_of[at] = i;
+    const bool is_called = at > 0 && result.is_call[at - 1];
+    result.is_vector[at] = !is_called && !commas.empty();
+    if (!is_called || !is_series(tokens[at - 1].text)) continue;
+    if (const auto series = read_series(formula, tokens, at - 1, commas, i)) {
+      result.series.push_back(*series);
     }
   }
-  return calls;
+  std::ranges::sort(result.series, {}, &Series::name);
+  return result;
 }
 
 void explain_slips(const FormulaText& formula, const std::vector<Token>& tokens,
-                   const Calls& calls) {
-  std::vector<bool> in_call;  // for each open bracket
+                   const Brackets& brackets) {
+  int depth = 0;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
-    const bool after_call = i > 0 && calls.is_call[i - 1];
+    const bool after_call = i > 0 && brackets.is_call[i - 1];
+    refuse_operator(formula, tokens, i, brackets);
     if (i > 0 && !after_call && ends_operand(tokens[i - 1]) && begins_operand(tokens[i])) {
       refuse_neighbours(formula, tokens[i - 1], tokens[i]);
     }
@@ -98,11 +187,9 @@ void explain_slips(const FormulaText& formula, const std::vector<Token>& tokens,
     if (close && tokens[i - 1].kind == TokenKind::Open) {
       throw formula.error("an operand is missing here", tokens[i].span, kMissingOperandHint);
     }
-    if (tokens[i].kind == TokenKind::Open) in_call.push_back(after_call);
-    if (close) in_call.pop_back();
-    if (tokens[i].kind == TokenKind::Comma && (in_call.empty() || !in_call.back())) {
-      refuse_comma(formula, tokens, i);
-    }
+    if (tokens[i].kind == TokenKind::Open) ++depth;
+    if (close) --depth;
+    if (tokens[i].kind == TokenKind::Comma && depth == 0) refuse_comma(formula, tokens, i);
   }
 }
 

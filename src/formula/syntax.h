@@ -2,6 +2,7 @@
 // grammar finds the others.
 #pragma once
 
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -9,24 +10,44 @@
 
 namespace saddle {
 
-/// Where the tokens belong together.
-struct Calls {
-  /// For each token: whether it is a name that is called, f in f(...).
-  std::vector<bool> is_call;
-  /// Indices of the called names in the order in which their brackets close: the order in which
-  /// a stack machine executes the calls.
-  std::vector<std::size_t> by_closing;
+/// Indices of tokens, [begin, end).
+struct TokenRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
 };
 
-Calls find_calls(const std::vector<Token>& tokens);
+/// A sum or product over an index: sum(BODY, INDEX=LOW:HIGH).
+struct Series {
+  std::size_t name = 0;  ///< the token `sum` or `prod`
+  std::size_t index = 0;
+  TokenRange body, low, high;
+  std::size_t close = 0;  ///< its closing bracket
+};
+
+/// Which tokens belong together.
+struct Brackets {
+  std::vector<bool> is_call;          ///< for each token: it is a name that is called, f in f(...)
+  std::vector<bool> is_vector;        ///< an opening bracket of a vector: (a, b)
+  std::vector<std::size_t> open_of;   ///< of a closing bracket
+  std::vector<std::size_t> close_of;  ///< of an opening bracket
+  std::vector<Series> series;         ///< in the order of their names
+
+  /// The one that begins at a token, or nullptr.
+  const Series* series_of(std::size_t token) const;
+};
+
+/// `is_series`: whether a called name takes an index. Throws Error (Input): an index without a
+/// range.
+Brackets find_brackets(const FormulaText& formula, const std::vector<Token>& tokens,
+                       const std::function<bool(const std::string&)>& is_series);
 
 /// The way out where an operand is missing.
 inline constexpr const char* kMissingOperandHint = "add a number, a name or a bracket";
 
 /// Throws Error (Input) for two operands side by side (`u v`, `2 3`), empty brackets, a comma
-/// outside of a call (a decimal comma, two results).
+/// outside of brackets (a decimal comma, two results), an assignment, a factorial.
 void explain_slips(const FormulaText& formula, const std::vector<Token>& tokens,
-                   const Calls& calls);
+                   const Brackets& brackets);
 
 /// True if the tokens at `comma` are digits, a comma and digits without a space: 0,5.
 bool is_decimal_comma(const std::vector<Token>& tokens, std::size_t comma);

@@ -360,8 +360,12 @@ std::string name_of(Kind kind) {
                                         "contours-none",
                                         "contours-on-area",
                                         "contours-coarse",
+                                        "too-thick",
+                                        "solid-crosses",
                                         "unproved",
-                                        "nothing"};
+                                        "nothing",
+                                        "no-light",
+                                        "cone-lost"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

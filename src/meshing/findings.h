@@ -32,8 +32,12 @@ struct Finding {
     ContoursNone,    ///< an expression has no level line
     ContoursOnArea,  ///< it has a level on a whole area
     ContoursCoarse,  ///< triangles are too large for its lines
+    TooThick,        ///< a solid is thicker than its surface bends
+    SolidCrosses,    ///< a solid goes through itself
     Unproved,        ///< a feature could hide between the samples
     Nothing,         ///< a frame of an animation has no surface
+    NoLight,         ///< no light of the scene is on
+    ConeLost,        ///< a spot light's cone falls between vertices that are lit
   };
   /// A box of parameters; a point if its ends are equal.
   struct Place {
@@ -46,7 +50,8 @@ struct Finding {
   std::optional<double> value = std::nullopt;
   std::string unit = {};  ///< of the value
   std::optional<Place> place = std::nullopt;
-  std::optional<double> share = std::nullopt;  ///< of the domain; of the area for a colour
+  /// The part of the domain; of the area for a colour; of the cone's light.
+  std::optional<double> share = std::nullopt;
 };
 
 /// The kind in the report.

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <iterator>
 #include <numeric>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -17,11 +16,9 @@
 #include "mesh/model/topology.h"
 #include "mesh/sizing/effort.h"
 #include "meshing/clip_box.h"
-#include "meshing/findings.h"
 #include "meshing/mesh_numbers.h"
 #include "meshing/stretch.h"
 #include "meshing/stroke_mesh.h"
-#include "meshing/tolerance.h"
 #include "scene/model/strokes.h"
 #include "scene/model/values.h"
 #include "surface/defined_share.h"
@@ -325,6 +322,7 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
     const GapReason why = is_off ? GapReason::Off : GapReason::NotTried;
     report.proof_gaps.push_back({why, {d.u0, d.v0}, {d.u1, d.v1}, 1});
   }
+  if (thickness_of(scene, spec)) result.bends = sharpest_bends(surface, mesh, threads);
   if (!spec.color.empty()) {
     result.color = color_as_asked(scene, spec, purpose, surface, result.mesh, threads);
   }
@@ -344,6 +342,7 @@ Tessellation tessellation_of(const SurfaceSpec& spec, MeshedSurface meshed) {
   result.parse_ms = meshed.prepared.parse_ms;
   result.compile_ms = meshed.prepared.compile_ms;
   result.tessellate_ms = meshed.tessellate_ms;
+  result.bends = meshed.bends;
   result.domain = name_parameters(meshed.prepared.surface, mesh);
   result.findings = mesh_findings(mesh, result.domain);
   if (meshed.color) {
@@ -386,13 +385,13 @@ Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpo
                         unsigned threads) {
   if (spec.curve) return tessellate_curve(scene, spec, purpose);
   if (spec.point && stroke_radius(scene, spec) == 0) return tessellate_dot(scene, spec);
+  const auto place = spec.point ? std::optional(place_of_point(scene, spec)) : std::nullopt;
   MeshedSurface meshed = mesh_surface(scene, spec, purpose, threads);
   const std::optional<dvec3> anchor =
-      spec.point ? place_of_point(scene, spec)
-                 : middle_of(meshed.prepared.surface, meshed.mesh.mesh, spec.label);
+      place ? place : middle_of(meshed.prepared.surface, meshed.mesh.mesh, spec.label);
   Tessellation result = tessellation_of(spec, std::move(meshed));
   result.mesh.anchor = anchor;
-  if (spec.point) result.place = anchor;
+  result.place = place;
   return result;
 }
 

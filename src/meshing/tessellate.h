@@ -11,6 +11,7 @@
 #include "mesh/curve/curve_mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "meshing/findings.h"
+#include "meshing/thickness.h"
 #include "meshing/tolerance.h"
 #include "scene/model/prepare.h"
 #include "scene/model/scene.h"
@@ -23,6 +24,7 @@ struct MeshedSurface {
   MeshResult mesh;
   std::optional<ColorReport> color;     ///< of a coloured surface
   std::vector<ContourReport> contours;  ///< of each of its level lines' expressions
+  std::optional<SharpestBends> bends;   ///< of a surface with a thickness
   bool is_clipped = false;              ///< a box may hide part of the surface
   double tessellate_ms = 0;
 };
@@ -33,12 +35,14 @@ struct Tessellation {
   MeshReport report;
   Domain domain;  ///< where v depends on u: the box around the mesh's parameters
   std::vector<Finding> findings;
-  std::vector<std::string> warnings;  ///< sentences of findings
-  std::optional<CurveMesh> curve;     ///< of a curve, without its chains
-  std::optional<dvec3> place;         ///< of a point
-  bool moves = false;                 ///< at another time it is another mesh
-  double parse_ms = 0;                ///< text to graph
-  double compile_ms = 0;              ///< derivatives and tapes
+  std::vector<std::string> warnings;   ///< sentences of findings
+  std::optional<SharpestBends> bends;  ///< of a surface with a thickness
+  std::optional<SolidReport> solid;    ///< once its mesh is one: thicken_scene()
+  std::optional<CurveMesh> curve;      ///< of a curve, without its chains
+  std::optional<dvec3> place;          ///< of a point
+  bool moves = false;                  ///< at another time it is another mesh
+  double parse_ms = 0;                 ///< text to graph
+  double compile_ms = 0;               ///< derivatives and tapes
   double tessellate_ms = 0;
 };
 

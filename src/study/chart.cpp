@@ -270,6 +270,15 @@ class PanelScript {
       layers.emplace_back("$front using 1:2 with points pt 7 ps 2.4 lc rgb '#d0d0d0'");
     }
     for (std::size_t k = 0; k < curves_.size(); ++k) curve_layers(k, layers);
+    std::vector<const Measurement*> choices;
+    for (const Curve& curve : curves_) {
+      std::ranges::copy_if(curve.points, std::back_inserter(choices),
+                           [](const Measurement* m) { return m->is_choice; });
+    }
+    if (!choices.empty()) {
+      block("choices", choices);
+      layers.emplace_back("$choices using 1:2 with points pt 6 ps 2.6 lw 2 lc rgb '#000000'");
+    }
     std::string command = "plot ";
     for (std::size_t k = 0; k < layers.size(); ++k) {
       command += (k == 0 ? "" : ", \\\n     ") + layers[k];
@@ -320,7 +329,8 @@ std::string make_script(std::span<const Measurement> measurements, const std::st
   script += formatted(
       "set label 2 'thick grey: nothing is both faster and more accurate     hollow: a promise "
       "that "
-      "was missed, or no answer     bars: middle half of the times' at screen 0.5,%.5f center font "
+      "was missed, or no answer     ring: what saddle does by itself     bars: middle half of the "
+      "times' at screen 0.5,%.5f center font "
       "',10' tc rgb '#404040'\n",
       0.5 * kFoot / kHeight);
   script +=

@@ -1,6 +1,7 @@
 #include "study/exact_surface.h"
 
 #include <algorithm>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,13 +23,25 @@ std::string constant_of_one(std::string_view name, const std::string& one) {
 }
 
 /// The formula with every number N as N*one, so that nothing is rounded or folded as a double
-/// before it is valued with 50 digits. `hidden`: names that are not the language's constants here.
+/// before it is valued with 50 digits; so with the index of a sum. `hidden`: names that are not the
+/// language's constants here.
 std::string unfolded(const std::vector<Token>& formula, const std::string& one,
                      const std::vector<std::string>& hidden) {
+  const auto begins_range = [&](std::size_t i) {
+    return i + 1 < formula.size() && formula[i + 1].text == "=";
+  };
+  std::set<std::string> indices;
+  for (std::size_t i = 0; i < formula.size(); ++i) {
+    if (begins_range(i)) indices.insert(formula[i].text);
+  }
   std::string result;
-  for (const Token& token : formula) {
-    if (token.kind == TokenKind::Number) {
+  for (std::size_t i = 0; i < formula.size(); ++i) {
+    const Token& token = formula[i];
+    const bool is_index = token.kind == TokenKind::Name && indices.contains(token.text);
+    if (token.kind == TokenKind::Number || (is_index && !begins_range(i))) {
       result += "(" + token.text + "*" + one + ")";
+    } else if (is_index) {
+      result += token.text;
     } else if (token.kind == TokenKind::Name &&
                std::ranges::find(hidden, token.text) == hidden.end()) {
       result += constant_of_one(token.text, one);

@@ -6,6 +6,7 @@
 
 #include "base/numbers.h"
 #include "study/climb.h"
+#include "surface/conditioning.h"
 #include "surface/curvature_enclosure.h"
 #include "surface/normal.h"
 
@@ -13,11 +14,7 @@ namespace saddle {
 
 namespace {
 
-/// |r_u x r_v| below this part of |r_u| |r_v|, and tangents below this part of the usual, cost
-/// curvatures more than half of their digits.
-constexpr double kWellConditioned = 1e-3;
-constexpr double kShortTangent = 1e-5;
-/// The same for values of a sequence, of which only the growth matters.
+/// kWellConditioned for values of a sequence, of which only the growth matters.
 constexpr double kRoughlyConditioned = 1e-7;
 /// A Gauss curvature below this part of the squared mean one is a difference of rounding errors.
 /// Beside a usual mean curvature times the diagonal it is as good as 0.
@@ -61,18 +58,6 @@ constexpr std::array<dvec2, 12> kApproaches = {
 using Values = std::array<double, kQuantities>;
 
 constexpr Values kNoValues = {kNan, kNan, kNan, kNan, kNan};
-
-/// The median length of a tangent.
-double usual_length(const std::vector<SurfacePoint>& points, dvec3 SurfacePoint::*tangent) {
-  std::vector<double> lengths;
-  for (const SurfacePoint& p : points) {
-    if (is_finite(p.*tangent)) lengths.push_back(safe_length(p.*tangent));
-  }
-  if (lengths.empty()) return 0;
-  const auto middle = lengths.begin() + std::ssize(lengths) / 2;
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
-}
 
 /// The growing end of a sequence of values diverges.
 bool diverges(std::span<const double> values, double sign) {

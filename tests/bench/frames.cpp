@@ -12,7 +12,7 @@
 #include "app/commands/view.h"
 #include "base/error.h"
 #include "scene/model/gallery.h"
-#include "view/viewer.h"
+#include "view/window/viewer.h"
 
 namespace {
 
@@ -69,6 +69,55 @@ void turning(int n) {
   const double gl = ms(after.drawing - before.drawing + after.showing - before.showing);
   std::printf("%d triangles: %.1f ms a frame, of that %.1f %% outside of OpenGL\n", 2 * n * n,
               busy / kFrames, 100 * (busy - gl) / busy);
+}
+
+/// The longest time that something waits while the viewer is at work: for the end of a step, and
+/// then of its own.
+class LongestWait {
+ public:
+  void step(Viewer& viewer) {
+    const auto begin = Clock::now();
+    viewer.step();
+    const double passed = ms(Clock::now() - begin);
+    longest_ = std::max(longest_, last_ + passed);
+    last_ = passed;
+  }
+  double milliseconds() const { return longest_; }
+
+ private:
+  double last_ = 0;
+  double longest_ = 0;
+};
+
+/// While a hand turns something in a window of this size, and then lets it rest.
+void waiting(const std::string& what, int width, int height) {
+  constexpr int kFrames = 12;
+  constexpr int kPanel = 320;
+  Viewer viewer(
+      setup_of({what, "-s", std::to_string(width - kPanel) + "x" + std::to_string(height)}));
+  rest(viewer);
+  Event event;
+  event.place = {width / 2, height / 2};
+  event.kind = Event::Kind::Press;
+  viewer.receive(event);
+  while (viewer.has_events()) viewer.step();
+  event.kind = Event::Kind::Move;
+  LongestWait turning;
+  const auto begin = Clock::now();
+  for (int i = 0; i < kFrames; ++i) {
+    event.place.x += 10;
+    viewer.receive(event);
+    turning.step(viewer);
+  }
+  const double turned = ms(Clock::now() - begin);
+  LongestWait resting;
+  const auto let_go = Clock::now();
+  while (!viewer.is_at_rest()) resting.step(viewer);
+  std::printf(
+      "%s in %dx%d: turns %.1f times a second, rests after %.0f ms; a key waits at most "
+      "%.0f ms while it turns, %.0f ms until it rests\n",
+      what.c_str(), width, height, 1000 * kFrames / turned, ms(Clock::now() - let_go),
+      turning.milliseconds(), resting.milliseconds());
 }
 
 void press(Viewer& viewer, int code) {
@@ -165,6 +214,11 @@ int main() {
     first_picture();
     turning(100);
     turning(316);
+    const std::string see_through = std::string(SADDLE_SOURCE_DIR) + "/examples/see-through.toml";
+    for (const std::string& what : {std::string("torus"), see_through}) {
+      waiting(what, 1920, 1050);
+      waiting(what, 3840, 2160);
+    }
     at_rest();
     edits();
   } catch (const Error& error) {

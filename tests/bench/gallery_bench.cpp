@@ -13,6 +13,7 @@
 #include "formula/operations.h"
 #include "scene/model/gallery.h"
 #include "scene/model/prepare.h"
+#include "scene/model/surface_scope.h"
 
 namespace saddle {
 namespace {
@@ -23,9 +24,7 @@ constexpr std::size_t kSide = 301;
 std::array<NodeId, 3> coordinates(Graph& graph, const GalleryEntry& entry) {
   const Scene scene = gallery_scene(entry);
   const SurfaceSpec& spec = scene.surfaces.front();
-  std::vector<Definition> names = scene.definitions;
-  names.insert(names.end(), {{"x", spec.x}, {"y", spec.y}, {"z", spec.z}});
-  Scope scope(graph, names);
+  Scope scope(graph, surface_definitions(scene, spec), surface_view(scene, spec));
   const std::vector<NodeId> r =
       scope.bind(std::array{scope.node("x"), scope.node("y"), scope.node("z")}, scene.t);
   return {r[0], r[1], r[2]};

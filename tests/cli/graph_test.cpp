@@ -127,7 +127,8 @@ TEST_F(GraphCommand, ReportsTheKeysThatScriptsReadInOrder) {
                          "orientable",
                          "certified",
                          "proved_fraction",
-                         "uncertified"}));
+                         "uncertified",
+                         "culls_backs"}));
   keys.clear();
   for (const auto& [key, value] : report["times"].items()) keys.push_back(key);
   EXPECT_EQ(keys, (Names{"parse", "compile", "tessellate", "context", "upload", "draw", "encode",

@@ -12,6 +12,7 @@
 
 #include "base/file.h"
 #include "cli/program.h"
+#include "ply_mesh.h"
 
 namespace saddle {
 namespace {
@@ -42,6 +43,17 @@ class Objects : public ProgramTest {
       boxes.push_back({b[0][0], b[0][1], b[0][2], b[1][0], b[1][1], b[1][2]});
     }
     return boxes;
+  }
+  /// The names in the report of a command: of surfaces, curves, then points.
+  Words names_in(const std::string& command) {
+    make(command + " -o a.toml -s 64x48 -o a.png --report r.json");
+    Words names;
+    const auto report = nlohmann::json::parse(content("r.json"));
+    for (const char* kind : {"surfaces", "curves", "points"}) {
+      if (!report.contains(kind)) continue;
+      for (const auto& object : report[kind]) names.push_back(object["name"]);
+    }
+    return names;
   }
 };
 
@@ -106,6 +118,19 @@ TEST_F(Objects, HaveOptionsOfTheirOwn) {
   const std::string ply = content("a.ply");
   EXPECT_TRUE(contains(ply, "comment object ring, faces 0 to ")) << ply.substr(0, 300);
   EXPECT_TRUE(contains(ply, "comment object ball, faces ")) << ply.substr(0, 300);
+}
+
+TEST_F(Objects, AreToldApartByANumberBehindTheirName) {
+  EXPECT_EQ(names_in("torus + torus + torus"), (Words{"torus", "torus 2", "torus 3"}));
+  EXPECT_EQ(names_in("--name ring + torus + sphere + curve x=s + curve x=2*s"),
+            (Words{"ring", "ring 2", "ring 3", "ring 4"}));
+  EXPECT_EQ(names_in("torus + curve x=s + curve x=2*s"), (Words{"torus", "curve", "curve 2"}));
+  std::ofstream(path("on.toml")) << "[[surface]]\nname = 'torus'\nz = '5'\n"
+                                    "[[point]]\nu = 0\nv = 0\non = 'torus'\n";
+  EXPECT_EQ(names_in("torus + on.toml"), (Words{"torus", "torus 2", "point"}));
+  EXPECT_TRUE(contains(content("a.toml"), "on = \"torus 2\""));
+  std::ofstream(path("same.toml")) << "[[surface]]\nz = 1\n[[surface]]\nz = 2\n";
+  EXPECT_EQ(names_in("same.toml"), (Words{"surface", "surface 2"}));
 }
 
 TEST_F(Objects, TakeCameraAndLightsOfTheFirstSceneFile) {
@@ -184,14 +209,14 @@ TEST_F(Objects, GiveTheSameSurfaceUnderAnyName) {
   make(
       "x=sin(theta)*cos(phi) y=sin(theta)*sin(phi) z=cos(theta)+diff(theta^2,theta) theta=0:pi "
       "φ=0:tau -o b.ply");
-  EXPECT_EQ(content("a.ply"), content("b.ply"));
+  EXPECT_TRUE(mesh_in_ply(content("a.ply")) == mesh_in_ply(content("b.ply")));
   // u first, wherever it stands; x and y likewise; a coordinate that is a parameter is itself.
   make("z=u-v^2 -o a.ply");
   make("z=x-y^2 y=-1:1 x=-1:1 -o b.ply");
-  EXPECT_EQ(content("a.ply"), content("b.ply"));
+  EXPECT_TRUE(mesh_in_ply(content("a.ply")) == mesh_in_ply(content("b.ply")));
   make("x=v y=cos(u) z=sin(u) u=0:tau -o a.ply");
   make("u=0:tau x=-1:1 y=cos(u) z=sin(u) -o b.ply");
-  EXPECT_EQ(content("a.ply"), content("b.ply"));
+  EXPECT_TRUE(mesh_in_ply(content("a.ply")) == mesh_in_ply(content("b.ply")));
 }
 
 /// Vertices and triangles of a PLY of saddle's.

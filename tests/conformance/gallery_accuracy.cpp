@@ -43,9 +43,9 @@ struct Formulas {
 Formulas evaluated_formulas(const Scene& scene) {
   const SurfaceSpec& spec = scene.surfaces.at(0);
   Graph graph;
-  Scope scope(graph, scene.definitions);
-  std::vector<NodeId> roots;
-  for (const std::string& text : {spec.x, spec.y, spec.z}) roots.push_back(scope.parse("", text));
+  Scope scope(graph, surface_definitions(scene, spec), surface_view(scene, spec));
+  const std::array<NodeId, 3> r = position(scope);
+  std::vector<NodeId> roots(r.begin(), r.end());
   roots = with_tangents(graph, scope.bind(roots, scene.t));
   Graph lowered = lower(graph, roots);
   return {std::move(lowered), roots};

@@ -24,8 +24,8 @@ struct Texts {
 
 constexpr std::array kTexts = {
 #define SADDLE_TEXT(...) #__VA_ARGS__
-#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, function, kind, infinite, \
-                  derivative)                                                                 \
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, js, function, kind, infinite, \
+                  numbers, derivative)                                                            \
   Texts{Op::id, help, SADDLE_TEXT(vector), SADDLE_TEXT(derivative)},
 #include "formula/ops.def"
 };

@@ -107,6 +107,10 @@ def corpus(short):
                                                 "16x16"],
              scene('title="$(touch pwned)`touch pwned`"\n[[surface]]\nname="; touch pwned"\n'
                    'z="u*t"\n')),
+        Case("a texture that is a file of the system", DRAW,
+             scene('[[surface]]\nz="u"\ntexture="/etc/passwd"\n'), statuses=(2,), says="outside"),
+        Case("a texture above the folder", DRAW,
+             scene('[[surface]]\nz="u"\ntexture="a/../../b.png"\n'), statuses=(2,), says="outside"),
         Case("20,001 surfaces", DRAW, scene(lambda: '[[surface]]\nz="u"\n' * 20001), statuses=(2,),
              says="too many", seconds=10),
         Case("a grid of 4096x4096", ["torus", "--grid", "4096x4096", "-o", "a.png"], statuses=(2,),
@@ -142,6 +146,8 @@ def corpus(short):
              says="stopped refinement"),
         Case("more samples than memory", ["torus", "--samples", "8192x8192", "--max-memory", "2GB",
                                           "-o", "a.ply"], statuses=(1,), says="out of memory"),
+        Case("a texture of 16384x16384", DRAW, lambda: {
+            "s.toml": '[[surface]]\nz="u"\ntexture="e.png"\n', "e.png": png(side=16384)}),
         Case("a picture of white", ["e.png", "-o", "a.png"], lambda: {"e.png": png(side=16384)},
              statuses=(2,), says="holds no scene", seconds=10, bytes=1.6 * GIGABYTE),
     ]

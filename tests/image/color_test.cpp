@@ -166,8 +166,10 @@ TEST(ContourLines, AreSeenAlsoWhereTheMeshIsInFrontOfThem) {
     Square square;
     square.scene.surfaces[0].color.clear();
     square.mesh.color.clear();
-    square.mesh.contours = {
-        {{-1, 0.5, height}, {1, 0.5, height}}, {{-1, 0.5, 0}, {1, 0.5, 0}}, {{0, 1}}};
+    square.mesh.contours = {{{-1, 0.5, height}, {1, 0.5, height}},
+                            {{-1, 0.5, 0}, {1, 0.5, 0}},
+                            {{0, 0, 1}, {0, 0, 1}},
+                            {{0, 1}}};
     const Image image = square.draw();
     int lines = 0;
     for (int y = 0; y < 200; ++y) lines += image.pixel(100, y)[0] < 80 ? 1 : 0;

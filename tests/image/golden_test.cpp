@@ -69,6 +69,7 @@ std::vector<Golden> golden_pictures() {
                                                         {"curvature", ""},
                                                         {"torus-knot", ""},
                                                         {"color", ""},
+                                                        {"texture", ""},
                                                         {"colonnade", ""}}) {
     pictures.push_back({"example-" + name, source_folder() + "/examples/" + name + ".toml " +
                                                arguments + " -s 240x180"});
@@ -76,25 +77,36 @@ std::vector<Golden> golden_pictures() {
   const std::string examples = source_folder() + "/examples/lighting/";
   pictures.push_back({"exact-normals", source_folder() + "/examples/exact-normals.toml"});
   pictures.push_back({"see-through", source_folder() + "/examples/see-through.toml"});
-  for (const auto& [name, arguments] :
-       std::vector<std::pair<std::string, std::string>>{{"viewpoint-cube", "light=1"},
-                                                        {"specular-torus", "light=4"},
-                                                        {"low-resolution", ""},
-                                                        {"low-resolution", "--shading vertex"},
-                                                        {"function-grapher", ""},
-                                                        {"spotlights", ""},
-                                                        {"diskworld", ""},
-                                                        {"diskworld", "--t 5"},
-                                                        {"light-casters", "light=1"},
-                                                        {"diffuse-reflection", "light=3"},
-                                                        {"pedestals", ""},
-                                                        {"spot-edges", "edge=2"}}) {
+  for (const auto& [name, arguments] : std::vector<std::pair<std::string, std::string>>{
+           {"viewpoint-cube", "light=0"},
+           {"viewpoint-cube", "light=1"},
+           {"specular-torus", "--shading vertex --samples 16x8"},
+           {"side-by-side", ""},
+           {"specular-torus", "light=4"},
+           {"low-resolution", ""},
+           {"low-resolution", "--shading vertex"},
+           {"function-grapher", ""},
+           {"spotlights", "exponent=0"},
+           {"spotlights", ""},
+           {"spotlights", "exponent=20"},
+           {"diskworld", ""},
+           {"diskworld", "--t 5"},
+           {"light-casters", "light=0"},
+           {"light-casters", "light=1"},
+           {"light-casters", "light=2"},
+           {"light-casters", "light=4"},
+           {"diffuse-reflection", "light=3"},
+           {"pedestals", ""},
+           {"spot-edges", "edge=2"}}) {
     std::string suffix = arguments;
     for (char& c : suffix) c = c == ' ' || c == '=' ? '-' : c;
-    while (suffix.starts_with('-')) suffix.erase(0, 1);
+    for (std::size_t at = 0; (at = suffix.find("--")) != std::string::npos;) suffix.erase(at, 1);
+    if (suffix.starts_with('-')) suffix.erase(0, 1);
     pictures.push_back({"lighting-" + name + (suffix.empty() ? "" : "-" + suffix),
                         examples + name + ".toml " + arguments +
-                            (name == "low-resolution" ? " -s 400x160" : " -s 200x200")});
+                            (name == "low-resolution" ? " -s 400x160"
+                             : name == "side-by-side" ? " -s 400x200"
+                                                      : " -s 200x200")});
   }
   for (const GalleryEntry& entry : gallery()) {
     pictures.push_back({"gallery-" + std::string(entry.name), std::string(entry.name)});

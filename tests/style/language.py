@@ -1,7 +1,11 @@
 #!/usr/bin/python3 -B
-"""The tables of docs/LANGUAGE.md are those of saddle --help functions. With --write, makes them so.
-The program is $SADDLE_PROGRAM, or build/release/saddle."""
+"""The tables of docs/LANGUAGE.md are those of saddle --help functions, and its commands work. With
+--write, makes the tables so. The program is $SADDLE_PROGRAM, or build/release/saddle."""
+import os
+import re
+import shlex
 import subprocess
+import tempfile
 
 import tree
 
@@ -18,7 +22,20 @@ def tables(help_text):
         yield "\n"
 
 
+def complaints_of_commands():
+    """The commands of the page that do not work. Those without a file write a mesh."""
+    text = (tree.ROOT / "docs/LANGUAGE.md").read_text(encoding="utf-8")
+    program = os.path.abspath(tree.program())
+    with tempfile.TemporaryDirectory() as folder:
+        for command in re.findall(r"^    saddle (.*)$", text, flags=re.MULTILINE):
+            words = shlex.split(command)
+            words += [] if "-o" in words else ["-o", "example.ply"]
+            done = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True)
+            if done.returncode:
+                yield f"docs/LANGUAGE.md: saddle {command}: status {done.returncode}\n{done.stderr}"
+
+
 printed = subprocess.run([tree.program(), "--help", "functions"], capture_output=True, text=True,
                          check=True).stdout
-tree.finish(tree.check_page("docs/LANGUAGE.md", "saddle --help functions", "".join(tables(printed))),
-            printed.count("\n"), "lines of help")
+tree.finish([*tree.check_page("docs/LANGUAGE.md", "saddle --help functions", "".join(tables(printed))),
+             *complaints_of_commands()], printed.count("\n"), "lines of help")

@@ -8,16 +8,16 @@ import tree
 # study a method that others are compared with. std::cout and std::cerr are in the one file that keeps
 # control characters from terminals.
 HOMES = {
-    r"muParser\w*\.h": r"src/formula/parser\.cpp|src/study/muparser_method\.cpp|tests/.*",
+    r"muParser\w*\.h": r"src/formula/program\.cpp|src/study/muparser_method\.cpp|tests/.*",
     r"GL/osmesa\.h": r"src/render/gl/context_osmesa\.cpp",
     r"EGL/.*": r"src/render/gl/context_egl\.cpp",
     r"(glad|GL|GLES\d|EGL)/.*": r"src/render/.*|tests/image/.*",
     r"iostream": r"src/base/standard_streams\.cpp|tests/.*",
     r"toml\+\+/.*": r"src/scene/toml/toml\.cpp",
-    r"GLFW/.*|backends/imgui.*": r"src/view/window\.cpp",
-    r"imgui.*": r"src/view/(window|panel|overlay|fields|widgets)\.cpp",
+    r"GLFW/.*|backends/imgui.*": r"src/view/window/(window|events)\.cpp",
+    r"imgui.*": r"src/view/panel/.*\.cpp|src/view/window/window\.cpp",
     r"stb_truetype\.h": r"src/render/overlay/font\.cpp",
-    r"zlib\.h": r"src/base/png_pixels\.cpp|tests/.*",
+    r"zlib\.h": r"src/base/(png_pixels|deflate|packed_text)\.cpp|tests/.*",
     r"png\.h": r"src/base/image_png\.cpp|tests/.*",
 }
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')

@@ -12,7 +12,9 @@ import tree
 
 TEXT = (tree.ROOT / "README.md").read_text(encoding="utf-8")
 PROGRAM = os.path.abspath(os.environ["SADDLE_PROGRAM"])
-MAGIC = {".png": b"\x89PNG\r\n\x1a\n", ".ply": b"ply\n", ".toml": b"", ".gif": b"GIF89a"}  # how a file starts
+MAGIC = {".png": b"\x89PNG\r\n\x1a\n", ".ply": b"ply\n", ".toml": b"", ".gif": b"GIF89a",
+         ".3mf": b"PK\x03\x04", ".glb": b"glTF",
+         ".html": b"<!DOCTYPE html>", ".svg": b"<?xml", ".pdf": b"%PDF-"}  # how a file starts
 
 
 def commands():

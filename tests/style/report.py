@@ -26,6 +26,8 @@ RUNS = [
     ["check", "x=cos(v)", "y=cos(u)", "z=0.5*sin(u)*sin(v)", "u=-pi:pi", "v=0:pi"],
     ["check", "z=sqrt(1-u^2-v^2)"],
     ["check", "cylinder", "--samples", "9x9"],
+    ["check", "torus", "--thickness", "0.1"],
+    ["z=u", "--thickness", "0.1", "-o", "solid.ply"],
     ["z=sin(9*u*v)", "--max-triangles", "500", "-o", "mesh.ply"],
 ]
 REASON_TEXT = re.compile(r'GapText\{"([a-z ]+)",\s*"(.+)"\},$', re.M)

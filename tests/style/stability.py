@@ -11,6 +11,7 @@ import struct
 import subprocess
 import tempfile
 
+import glsl_cases
 import tree
 
 N = 64  # cells of the plain grid each way
@@ -454,4 +455,9 @@ def complaints():
         yield from tree.check_page("docs/STABILITY.md", "its own runs", "".join(table(rows)))
 
 
-tree.finish(complaints(), len(CASES), "cases")
+def all_complaints():
+    yield from complaints()
+    yield from glsl_cases.complaints()
+
+
+tree.finish(all_complaints(), len(CASES) + len(glsl_cases.CASES), "cases")

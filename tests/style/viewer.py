@@ -1,5 +1,5 @@
 #!/usr/bin/python3 -B
-"""The table of keys in docs/VIEWER.md is that of saddle --help keys. With --write, makes it so.
+"""The table of gestures and keys in docs/VIEWER.md is that of saddle --help keys. With --write, makes it so.
 The program is $SADDLE_PROGRAM, or build/release/saddle."""
 import subprocess
 
@@ -7,6 +7,7 @@ import tree
 
 printed = subprocess.run([tree.program(), "--help", "keys"], capture_output=True, text=True,
                          check=True).stdout
-rows = [line.split(maxsplit=1) for line in printed.splitlines()]
+COLUMN = 14  # where the second column begins; names of gestures have two words
+rows = [(line[:COLUMN].strip(), line[COLUMN:]) for line in printed.splitlines()]
 table = "| | |\n| --- | --- |\n" + "".join(f"| `{key}` | {meaning} |\n" for key, meaning in rows)
 tree.finish(tree.check_page("docs/VIEWER.md", "saddle --help keys", table + "\n"), len(rows), "keys")

@@ -32,7 +32,7 @@ void redirect(int stream, const std::filesystem::path& path) {
 }
 
 /// Starts a program, with the child's own preparations before that.
-pid_t start(std::vector<std::string> words, const std::function<void()>& prepare) {
+pid_t start_program(std::vector<std::string> words, const std::function<void()>& prepare) {
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -62,6 +62,16 @@ bool is_there(const std::string& program) {
   return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
 }
 
+/// A part of a picture; nothing if it is not that large.
+Image cut_out(const Image& image, int x, int y, int width, int height) {
+  if (image.width < x + width || image.height < y + height) return {};
+  Image part(width, height);
+  for (int row = 0; row < height; ++row) {
+    std::copy_n(image.pixel(x, y + row), 4 * width, part.pixel(0, row));
+  }
+  return part;
+}
+
 }  // namespace
 
 void ViewerTest::SetUp() {
@@ -69,7 +79,7 @@ void ViewerTest::SetUp() {
     if (!is_there(program)) GTEST_SKIP() << "there is no " << program;
   }
   const std::filesystem::path number = path("display");
-  server_ = start(
+  server_ = start_program(
       {"Xvfb", "-displayfd", "1", "-screen", "0", "1200x700x24", "-nolisten", "tcp", "-noreset"},
       [&] {
         redirect(STDOUT_FILENO, number);
@@ -78,6 +88,7 @@ void ViewerTest::SetUp() {
   ASSERT_TRUE(eventually([&] { return contents(number).ends_with('\n'); })) << "no display";
   display_ = ":" + contents(number);
   display_.pop_back();
+  setenv("XDG_STATE_HOME", path("state").c_str(), 1);  // work of other windows stays out
 }
 
 void ViewerTest::TearDown() {
@@ -85,15 +96,27 @@ void ViewerTest::TearDown() {
   end(server_);
 }
 
-void ViewerTest::open(std::vector<std::string> arguments) {
+void ViewerTest::start(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), program_path());
-  viewer_ = start(arguments, [&] {
+  viewer_ = start_program(arguments, [&] {
     setenv("DISPLAY", display_.c_str(), 1);
     unsetenv("WAYLAND_DISPLAY");
     if (chdir(folder_.c_str()) != 0) _exit(126);
     redirect(STDOUT_FILENO, path("out"));
     redirect(STDERR_FILENO, path("err"));
   });
+}
+
+std::string ViewerTest::title() const {
+  const std::string file = path("title");
+  const std::string command = "DISPLAY=" + display_ +
+                              " xdotool search --class saddle getwindowname > " + file +
+                              " 2>/dev/null";
+  return std::system(command.c_str()) == 0 ? contents(file) : "";
+}
+
+void ViewerTest::open(std::vector<std::string> arguments) {
+  start(std::move(arguments));
   ASSERT_TRUE(eventually([&] { return yellow_pixels(picture()) > 1000; }))
       << "no surface is shown; " << standard_error();
   settled_picture();
@@ -112,7 +135,7 @@ int ViewerTest::status() {
 int ViewerTest::run(const std::vector<std::string>& arguments, const std::string& display) {
   std::vector<std::string> words{program_path()};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  const pid_t child = start(words, [&] {
+  const pid_t child = start_program(words, [&] {
     display.empty() ? unsetenv("DISPLAY") : setenv("DISPLAY", display.c_str(), 1);
     unsetenv("WAYLAND_DISPLAY");
     if (chdir(folder_.c_str()) != 0) _exit(126);
@@ -153,10 +176,14 @@ void ViewerTest::drag(int button, int x0, int y0, int x1, int y1) {
 }
 
 void ViewerTest::enter_field(int row) const {
-  constexpr int kFirst = 66;  // the middle of the first field, and how far they are apart
+  constexpr int kFirst = 65;  // the middle of the first field, and how far they are apart
   constexpr int kApart = 25;
   act("mousemove 200 " + std::to_string(kFirst + row * kApart) +
       " sleep 0.1 click 1 sleep 0.3 key End sleep 0.1");
+}
+
+void ViewerTest::enter_new_definition() const {
+  act("mousemove 200 232 sleep 0.1 click 1 sleep 0.3");
 }
 
 Image ViewerTest::screenshot() const {
@@ -167,14 +194,13 @@ Image ViewerTest::screenshot() const {
   return read_png(file).image;
 }
 
+Image ViewerTest::error_strip() const {
+  constexpr int kTop = 460;
+  return cut_out(screenshot(), 0, kTop, kPanelWidth, 600 - kTop);
+}
+
 Image ViewerTest::picture() const {
-  const Image screen = screenshot();
-  if (screen.width < kPanelWidth + 800 || screen.height < 600) return {};
-  Image part(800, 600);
-  for (int y = 0; y < part.height; ++y) {
-    std::copy_n(screen.pixel(kPanelWidth, y), 4 * part.width, part.pixel(0, y));
-  }
-  return part;
+  return cut_out(screenshot(), kPanelWidth, 0, 800, 600);
 }
 
 bool ViewerTest::eventually(const std::function<bool()>& condition) {

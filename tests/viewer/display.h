@@ -17,13 +17,17 @@ namespace saddle {
 /// Starts Xvfb; skips the test where there is none.
 class ViewerTest : public ::testing::Test {
  protected:
-  static constexpr int kPanelWidth = 280;
+  static constexpr int kPanelWidth = 320;
 
   void SetUp() override;
   void TearDown() override;
 
   /// Starts saddle and waits until its window shows something.
   void open(std::vector<std::string> arguments);
+  /// Starts saddle and waits for nothing.
+  void start(std::vector<std::string> arguments);
+  /// The title of the window.
+  std::string title() const;
   /// Waits for the viewer's end: its exit status, or -1 if it does not end.
   int status();
   /// Runs saddle to its end, without a display, or on this one.
@@ -40,8 +44,12 @@ class ViewerTest : public ::testing::Test {
   void drag(int button, int x0, int y0, int x1, int y1);
   /// Clicks into the panel's n-th field that takes text (0: x) and goes to its end.
   void enter_field(int row) const;
+  /// Clicks into the field for a new definition of a scene that has none, of one surface.
+  void enter_new_definition() const;
 
   Image screenshot() const;
+  /// The bottom of the panel, where it says what is wrong.
+  Image error_strip() const;
   /// The picture at the right of the panel.
   Image picture() const;
   /// Whether it becomes true within some seconds.

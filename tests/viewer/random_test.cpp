@@ -20,7 +20,7 @@
 #include "render/picture/renderer.h"
 #include "scene/model/gallery.h"
 #include "scene/toml/scene_file.h"
-#include "view/viewer.h"
+#include "view/window/viewer.h"
 #include "viewer/display.h"
 #include "viewer/gl_names.h"
 
@@ -78,11 +78,13 @@ class RandomHand {
   /// Lets go, leaves fields and lists, stops t, and takes away what is no part of the scene.
   void rest() {
     for (int which = 0; which < 3; ++which) button(Event::Kind::Release, which);
-    for (const bool down : {true, false}) key(kKeyEscape, 0, down);
+    for (int i = 0; i < 3; ++i) {  // lists, help, the start page
+      for (const bool down : {true, false}) key(kKeyEscape, 0, down);
+    }
     click({700, 300}, 1);
     while (viewer_.has_events()) viewer_.step();
-    if (viewer_.model().playing) press_key_named("Space");
-    if (viewer_.drawing().has_normals()) press_key_named("n");
+    if (viewer_.model().playing || viewer_.model().played()) press_key_named("Space");
+    if (viewer_.model().view().normals) press_key_named("n");
   }
 
   void press_key_named(const std::string& name) {
@@ -158,7 +160,7 @@ class RandomHand {
 
   /// In place of what is in one of the fields at the top.
   void enter_formula() {
-    click({200, 66.0 + 25 * below(6)}, 1);
+    click({200, 65.0 + 25 * below(6)}, 1);
     key(kKeyControl, kModControl, true);
     key(kKeyA, kModControl, true);
     key(kKeyA, kModControl, false);
@@ -172,9 +174,9 @@ class RandomHand {
 
   /// Any but those that end the program.
   void press_key() {
-    const auto table = key_table();
-    const KeyBinding& binding = table[below(static_cast<int>(table.size()))];
-    if (binding.action != Action::Quit) press_key_named(binding.name);
+    const auto table = action_table();
+    const ActionRow& row = table[below(static_cast<int>(table.size()))];
+    if (row.action != Action::Quit && *row.key != 0) press_key_named(row.key);
   }
 
   Viewer& viewer_;
@@ -241,10 +243,11 @@ class RandomHands : public ViewerTest {
     for (std::size_t i = 0; i < model.meshes().size(); ++i) {
       renderer.set_surface(scene, i, model.meshes()[i]->mesh);
     }
-    PictureSettings picture = model.scene().picture;
-    picture.antialias = std::min(2, picture.antialias);
-    canvas.draw(renderer, model.drawn_scene(), model.grip().fitted,
-                {.lines = model.grid, .wireframe = model.wireframe}, picture);
+    const PictureSettings& picture = model.scene().picture;
+    const Scene drawn = model.drawn_scene();
+    const int finest = std::min(2, picture.antialias);
+    canvas.draw(renderer, {drawn, model.grip().fitted, model.look()}, picture.width, picture.height,
+                finest, finest);
     return canvas.read();
   }
 

@@ -14,7 +14,7 @@
 #include "export/load_scene.h"
 #include "meshing/tessellate.h"
 #include "scene/model/gallery.h"
-#include "view/viewer.h"
+#include "view/window/viewer.h"
 #include "viewer/display.h"
 
 namespace saddle {
@@ -24,7 +24,7 @@ constexpr std::chrono::seconds kPatience{20};
 
 /// The z field is the third.
 constexpr int kFieldOfZ = 2;
-constexpr dvec2 kFieldOfX{200, 66};
+constexpr dvec2 kFieldOfX{200, 65};
 
 class Typing : public ViewerTest {
  protected:
@@ -47,10 +47,11 @@ class Typing : public ViewerTest {
 TEST_F(Typing, GoesOnWhileAMessageIsShown) {
   open({"z=u*v"});
   enter_field(kFieldOfZ);
-  const Image before = settled_picture();
+  settled_picture();
+  const Image before = error_strip();
   act("key ctrl+a");
   act("type --delay 20 'sqrt(u-2)'");
-  ASSERT_TRUE(eventually([&] { return picture().rgba != before.rgba; })) << "no message";
+  ASSERT_TRUE(eventually([&] { return error_strip().rgba != before.rgba; })) << "no message";
   settled_picture();
   for (const std::string part : {"+s", "q", "rt(2)"}) {
     act("type --delay 20 '" + part + "'");
@@ -82,7 +83,7 @@ TEST_F(Typing, LeavesWhatReturnConfirmed) {
 
 TEST_F(Typing, AddsDefinitionsInARow) {
   open({"z=u*v"});
-  enter_field(6);
+  enter_new_definition();
   act("type 'aa=2'");
   act("key Return");
   settled_picture();
@@ -224,7 +225,7 @@ TEST_F(TypingHere, SelectsAllThoughCtrlIsLetGoFirstAndAtOnce) {
   constexpr int kControl = 341;
   constexpr int kModControl = 2;
   Viewer viewer(coarse_plane());
-  ASSERT_TRUE(act_on(viewer, "mousemove 200 66", [] { return true; }));
+  ASSERT_TRUE(act_on(viewer, "mousemove 200 65", [] { return true; }));
   for (const auto kind : {Event::Kind::Move, Event::Kind::Press, Event::Kind::Release}) {
     viewer.receive(key_event(kind, 0, 0));
   }
@@ -244,7 +245,7 @@ TEST_F(TypingHere, FillsAFieldWithAnyFormulaOfTheGallery) {
     return [&viewer, text] { return viewer.model().scene().surfaces[0].x == text; };
   };
   const auto field = [&] { return viewer.model().scene().surfaces[0].x; };
-  ASSERT_TRUE(act_on(viewer, "mousemove 200 66 sleep 0.2 click 1 sleep 0.2 type 0", has("u0")));
+  ASSERT_TRUE(act_on(viewer, "mousemove 200 65 sleep 0.2 click 1 sleep 0.2 type 0", has("u0")));
   int number = 0;
   for (const std::string& formula : gallery_formulas()) {
     // It is undefined everywhere as far as the first sum, which a message says.

@@ -18,7 +18,8 @@ constexpr auto kVerbs = std::to_array<Verb>({
      "it writes no pictures and no meshes, but a report: --report FILE; --t T sets the moment"},
     {"chart", Command::Chart, "it compares all methods: saddle chart ... -o FILE.svg"},
     {"list", Command::List, "saddle list, or saddle list --verbose"},
-    {"show", Command::Show, "saddle show NAME, with assignments"},
+    {"show", Command::Show,
+     "it takes assignments and options of the scene; saddle show --shader NAME"},
 });
 
 /// `--size WxH`
@@ -151,6 +152,8 @@ class Splitter {
 /// An option that the command does not take is refused.
 void check_command(const CommandLine& line, const Option& option) {
   if ((option.commands & bit(line.command)) != 0) return;
+  const bool changes_scene = option.scene || option.surface || option.stroke;
+  if (line.command == Command::Show && changes_scene) return;
   const auto verb = std::ranges::find(kVerbs, line.command, &Verb::command);
   const bool has_verb = verb != kVerbs.end();
   throw Error(Status::Input,
@@ -159,7 +162,7 @@ void check_command(const CommandLine& line, const Option& option) {
               {}, has_verb ? std::string(verb->hint) : kList);
 }
 
-/// Options that would do nothing, or the opposite of another, are refused. `given`: all that hold
+/// Options that would do nothing, or that another one excludes, are refused. `given`: all that hold
 /// for one object.
 void check_given_options(const CommandLine& line, const std::vector<GivenOption>& given) {
   const auto is_given = [&](std::string_view name) {
@@ -172,7 +175,7 @@ void check_given_options(const CommandLine& line, const std::vector<GivenOption>
                   {dashed(*option), "", {}}, "add " + with_value(*find_option(option->needs)));
     }
     if (!option->excludes.empty() && is_given(option->excludes)) {
-      throw Error(Status::Input, "says the opposite of --" + std::string(option->excludes),
+      throw Error(Status::Input, "cannot stand beside --" + std::string(option->excludes),
                   {dashed(*option), "", {}}, "leave one of them out");
     }
   }

@@ -12,7 +12,7 @@
 #include "formula/language.h"
 #include "scene/options/lights.h"
 #include "scene/options/options.h"
-#include "view/keys.h"
+#include "view/model/actions.h"
 
 namespace saddle {
 
@@ -21,6 +21,7 @@ namespace {
 constexpr const char* kUsage =
     R"(saddle graphs parametric surfaces from formulas: x(u,v), y(u,v), z(u,v).
 
+  saddle                                               open a window with the gallery in it
   saddle NAME=EXPRESSION... [options]                  graph formulas
   saddle SCENE.toml [NAME=EXPRESSION...] [options]     graph a scene file, or a picture's scene;
                                                        - is standard input
@@ -33,12 +34,13 @@ constexpr const char* kUsage =
                                                        this surface: .svg .png .csv
   saddle list [-v]                                     names of the built-in surfaces, described
   saddle show GALLERY-NAME [NAME=EXPRESSION...]        print one as a scene file
+  saddle show --shader ...the same arguments...        the GLSL that draws it
 
-Assignments: x=, y= (default u and v) and z= are the surface; u=MIN:MAX and v=MIN:MAX its ranges
-(default -1:1; the ends of v may depend on u), which may have other names: x=-3:3, theta=0:pi;
-where=CONDITION the part that is graphed; t=VALUE the moment, t=MIN:MAX the range of time of an
-animation; NAME= a parameter; NAME(ARGUMENTS)= a helper function. Between the + of several objects
---front, --back, --color, --grid, --opacity and the like hold for one object.
+Assignments: x=, y= (default u and v) and z=, or xyz='(a,b,c)', are the surface; u=MIN:MAX and
+v=MIN:MAX its ranges (default -1:1; the ends of v may depend on u), which may have other names:
+x=-3:3, theta=0:pi; where=CONDITION the part that is graphed; t=VALUE the moment, t=MIN:MAX the
+range of time of an animation; NAME= a parameter; NAME(ARGUMENTS)= a helper function. Between the
++ of several objects --front, --back, --color, --grid, --opacity and the like hold for one object.
 
 Examples:
   saddle z='sin(u)*cos(v)' u=-3:3 v=-3:3 -o waves.png
@@ -54,7 +56,8 @@ constexpr const char* kScene =
 expression of the parameters and t in quotes. Here are all keys with their defaults, in capitals
 without a fixed one. `saddle --help KEY` explains a key, docs/SCENES.md has examples of all.
 
-  [params]     NAME = 1, or NAME = { value = 1, min = 0, max = 2 } with a slider
+  [params]     NAME = 1, or NAME = { value = 1, min = 0, max = 2, step = 0.5 } with a slider,
+               or NAME = { value = 0, choices = ["sun", "lamp"] }: NAME=lamp and NAME=1 choose
   [functions]  "f(s)" = "exp(-s*s)"
                a [[surface]] may have both of its own: params = { NAME = 1 }
 )text";
@@ -110,18 +113,12 @@ std::string with_default(const std::string& text, const std::string& standard) {
   return standard.empty() ? text : text + " (default " + standard + ")";
 }
 
-/// The text with the names that it stands for in place of {formats} and {choices}.
-std::string expanded(std::string_view text, const Option& option) {
-  std::string result(text);
-  const auto replace = [&result](const std::string& mark, const std::string& names) {
-    const std::size_t at = result.find(mark);
-    if (at != std::string::npos) result.replace(at, mark.size(), names);
-  };
-  std::string words;
-  for (const std::string& word : choices(option)) words += (words.empty() ? "" : " ") + word;
-  replace("{formats}", format_list());
-  replace("{choices}", words);
-  replace("{limits}", limits_text(option));
+/// With the formats that there are, too.
+std::string with_formats(std::string_view text, const Option& option) {
+  constexpr std::string_view kMark = "{formats}";
+  std::string result = expanded(text, option);
+  const std::size_t at = result.find(kMark);
+  if (at != std::string::npos) result.replace(at, kMark.size(), format_list());
   return result;
 }
 
@@ -138,7 +135,7 @@ std::string options_text() {
     for (const Option& option : options()) {
       if (!option.is_option() || option.section != section) continue;
       text += entry(names_of(option),
-                    with_default(expanded(option.help, option), default_text(option)));
+                    with_default(with_formats(option.help, option), default_text(option)));
     }
   }
   return text;
@@ -223,8 +220,8 @@ std::string option_text(const Option& option) {
   const std::string names = names_of(option).substr(2 + (option.letter == 0 ? 4 : 0));
   const std::string key = std::string(option.name) + " = " + std::string(option.value);
   std::string text =
-      (option.is_option() ? names : key) + "\n  " + expanded(option.help, option) + '\n';
-  if (!option.more.empty()) text += expanded(option.more, option) + '\n';
+      (option.is_option() ? names : key) + "\n  " + with_formats(option.help, option) + '\n';
+  if (!option.more.empty()) text += with_formats(option.more, option) + '\n';
   if (option.object) text += "Beside one of several objects: of that object.\n";
   std::string words;
   for (const std::string& word : choices(option)) words += " " + word;
@@ -244,6 +241,7 @@ std::string topic_text(const std::string& topic) {
   if (topic == "scene") return scene_text();
   if (topic == "status") return kStatus;
   if (topic == "keys") return key_help();
+  if (topic == "formats") return format_table();
   const std::string name = topic.substr(std::min(topic.find_first_not_of('-'), topic.size()));
   const Option* const option = name.size() == 1 && find_option(name[0]) != nullptr
                                    ? find_option(name[0])
@@ -253,15 +251,15 @@ std::string topic_text(const std::string& topic) {
   const auto key = std::ranges::find(options(), topic, &Option::name);
   if (key != options().end()) return option_text(*key);
   if (topic == "light" || topic == "node" || topic == "params") return scene_text();
-  std::vector<std::string> known = {"functions", "scene", "status", "keys"};
+  std::vector<std::string> known = {"functions", "formats", "scene", "status", "keys"};
   for (const Option& other : options()) {
     if (other.is_option()) known.emplace_back(other.name);
   }
   const std::string meant = did_you_mean(similar_names(name, known));
   throw Error(Status::Input, "there is no help on '" + topic + "'", {},
               (meant.empty() ? "" : meant + " ") +
-                  "saddle --help lists the options; other topics are functions, scene, status and "
-                  "keys");
+                  "saddle --help lists the options; other topics are functions, formats, scene, "
+                  "status and keys");
 }
 
 }  // namespace

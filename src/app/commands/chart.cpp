@@ -78,7 +78,7 @@ void check_one_surface(const Scene& scene) {
   throw Error(
       Status::Input,
       "a chart is of one surface, and the scene has " + std::to_string(scene.surfaces.size()), {},
-      "chart them one at a time");
+      "for example saddle chart torus -o chart.svg");
 }
 
 /// Adds the picture's length of a pixel, camera and clip box to the subject of a study: those of

@@ -23,7 +23,8 @@ void run_chart(const CommandLine& line);
 /// Prints the names of the gallery, each with its description.
 void run_list(const CommandLine& line);
 
-/// Prints a surface of the gallery as a scene file, with the overrides in it.
+/// Prints a surface of the gallery as a scene file, with the overrides in it; with --shader the
+/// shaders that a scene is drawn with. Throws Error: Nothing if no surface is drawn.
 void run_show(const CommandLine& line);
 
 }  // namespace saddle

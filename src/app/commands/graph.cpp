@@ -18,7 +18,6 @@
 #include "base/activity.h"
 #include "base/format.h"
 #include "base/standard_streams.h"
-#include "export/placed_meshes.h"
 #include "render/picture/framing.h"
 #include "scene/model/prepare.h"
 #include "scene/model/strokes.h"
@@ -42,7 +41,7 @@ std::optional<ReferenceCheck> reference_of(const CommandLine& line) {
 }
 
 std::optional<PictureDrawer> drawer_for(const CommandLine& line, const Plan& plan) {
-  if (!plan.purpose.picture) return std::nullopt;
+  if (!plan.draws(line)) return std::nullopt;
   return PictureDrawer(line.run.renderer);
 }
 
@@ -71,7 +70,7 @@ class Run {
         progress_(std::in_place, !line.run.quiet),
         plan_(line),
         reference_(reference_of(line)),
-        writer_(plan_.outputs, plan_.scene(), line.run.threads, line.run.strict),
+        writer_(plan_.outputs, plan_.scene(), line.run),
         drawer_(drawer_for(line, plan_)),
         framing_(framing_of(plan_, line.run.threads)),
         meshes_(purpose_of(plan_, framing_, line.run.threads), line.run.threads) {}
@@ -138,8 +137,10 @@ class Run {
     framing_.apply(seen);
     const std::vector<std::size_t> updated = meshes_.update(seen, name_of(shot));
     if (line_.run.strict && meshes_.warn()) warn_and_fail();
-    note_lines(scene);
-    writer_.write_meshes_of(shot, scene, meshes_.meshes());
+    if (writer_.take_meshes(shot, scene, meshes_.meshes()) && line_.run.strict) warn_and_fail();
+    writer_.write_meshes();
+    writer_.write_pages_of(shot, {meshes_.meshes(), scene, seen, line_.run.sliders,
+                                  line_.run.fragment, line_.run.renderer});
     if (!drawer_) return;
     Image image = draw(seen, updated);
     if (line_.run.strict && !drawer_->warnings().empty()) warn_and_fail();
@@ -153,36 +154,38 @@ class Run {
     return drawer_->draw(seen, meshes_.meshes(), updated);
   }
 
-  /// A mesh has no lines. Throws Error (Nothing) if the scene has nothing else.
-  void note_lines(const Scene& scene) {
-    const auto is_mesh = [](const Output& output) { return output.is(Format::Kind::Mesh); };
-    const auto output = std::ranges::find_if(plan_.outputs, is_mesh);
-    if (output == plan_.outputs.end()) return;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-      if (!is_line(scene, meshes_.meshes(), i)) continue;
-      const std::string& name = scene.surfaces[i].name;
-      ++count;
-      if (std::ranges::find(left_out_, name) == left_out_.end()) left_out_.push_back(name);
-    }
-    if (count < scene.surfaces.size()) return;
-    throw Error(Status::Nothing, "a mesh has no lines and dots, and there is nothing else",
-                {"--output", output->path, {0, output->path.size()}},
-                "--radius makes a tube of a curve and a ball of a point");
-  }
-
   void gather_warnings() {
     const auto add = [this](const std::vector<std::string>& warnings) {
       std::ranges::copy(warnings, std::back_inserter(report_.warnings));
     };
     add(warnings_of(plan_.scene()));
     meshes_.report(report_);
-    for (const std::string& name : left_out_) {
-      add({name + ": a mesh has no lines and dots, it is left out there; with --radius it is in"});
+    if (drawer_) {
+      add(drawer_->warnings());
+      report_.findings = drawer_->findings();
+      for (const SceneFinding& found : report_.findings) add({warning_of(found)});
     }
-    if (drawer_) add(drawer_->warnings());
     add(writer_.warnings());
+    add(textures_left_out());
     print_warnings(line_, std::span(report_.warnings).subspan(told_));
+  }
+
+  /// No mesh file has textures, and no page.
+  std::vector<std::string> textures_left_out() const {
+    std::vector<std::string> warnings;
+    const auto is_mesh = [](const Output& output) { return output.is(Format::Kind::Mesh); };
+    const auto is_page = [](const Output& output) { return output.format->takes_sliders; };
+    const bool some_mesh = std::ranges::any_of(plan_.outputs, is_mesh);
+    const bool some_page = std::ranges::any_of(plan_.outputs, is_page);
+    const std::string file = some_mesh && some_page ? "a mesh file or page"
+                             : some_page            ? "a page"
+                                                    : "a mesh file";
+    if (!some_mesh && !some_page) return warnings;
+    for (const SurfaceSpec& spec : plan_.scene().surfaces) {
+      if (!spec.texture) continue;
+      warnings.push_back(spec.name + ": " + file + " has no texture, it is left out there");
+    }
+    return warnings;
   }
 
   void warn_and_fail() {
@@ -202,7 +205,9 @@ class Run {
     report_.times.encode = writer_.milliseconds();
     if (drawer_) {
       report_.times.render = drawer_->times();
-      report_.image->shaders = drawer_->shader_texts();
+      for (std::size_t i = 0; i < report_.surfaces.size(); ++i) {
+        report_.surfaces[i].culls_backs = drawer_->culls(i);
+      }
     }
     report_.times.total = milliseconds_since(start_);
     send_report(line_.run.report, report_);
@@ -219,8 +224,7 @@ class Run {
   Framing framing_;
   SceneMeshes meshes_;
   RunReport report_;
-  std::vector<std::string> left_out_;  ///< curves and points that meshes do not have
-  std::size_t told_ = 0;               ///< warnings of the report that are printed
+  std::size_t told_ = 0;  ///< warnings of the report that are printed
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "app/commands/view.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <utility>
 
@@ -9,7 +10,7 @@
 #include "app/run/build_scene.h"
 #include "app/run/outputs.h"
 #include "base/error.h"
-#include "view/viewer.h"
+#include "view/window/viewer.h"
 
 namespace saddle {
 namespace {
@@ -68,11 +69,38 @@ void run_view(const CommandLine& line) {
               {"build it with -DSADDLE_VIEWER=ON", kWayOut});
 }
 #else
+namespace {
+
+bool is_set(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value != nullptr && *value != 0;
+}
+
+/// There is nothing to show, but a display to choose on.
+bool wants_start_page(const CommandLine& line) {
+  const bool is_bare = line.arguments().empty() && line.given.empty() &&
+                       line.segments.size() == 1 && line.segments[0].given.empty();
+  return is_bare && (is_set("DISPLAY") || is_set("WAYLAND_DISPLAY"));
+}
+
+/// In a window that is large enough for some pictures of the gallery.
+ViewerSetup start_setup() {
+  ViewerSetup setup;
+  setup.start = true;
+  setup.scene.picture.width = 900;
+  setup.scene.picture.height = 680;
+  return setup;
+}
+
+}  // namespace
+
 void run_view(const CommandLine& line) {
-  ViewerSetup setup = viewer_setup(line);
+  const bool starts = wants_start_page(line);
+  ViewerSetup setup = starts ? start_setup() : viewer_setup(line);
   try {
     Viewer(std::move(setup)).run();
   } catch (const Error& error) {
+    if (starts) viewer_setup(line);  // without a window there is no surface to show, which it says
     if (error.status() != Status::Machine) throw;
     throw with_hint_line(error, kWayOut);
   }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/command_line/cli.h"
-#include "view/model.h"
+#include "view/model/model.h"
 
 namespace saddle {
 

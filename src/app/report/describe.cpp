@@ -216,6 +216,17 @@ std::string proof(const MeshReport& report, const Domain& domain) {
          " % of the domain within 4 tolerances of the mesh (proved), but for places where " + text;
 }
 
+/// The solid that it is with its thickness.
+std::string thick(const SolidReport& s) {
+  std::string text = words::number(s.thickness) + " thick, " + (s.facts.closed ? "closed" : "open");
+  text += s.facts.shells == 1 ? ", 1 shell" : ", " + std::to_string(s.facts.shells) + " shells";
+  text += ", volume " + words::number(s.facts.volume);
+  if (std::isfinite(s.largest_thickness)) {
+    text += "; folds where thicker than " + words::number(s.largest_thickness);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> describe(const SurfaceReport& s, const Mesh& triangles) {
@@ -240,6 +251,7 @@ std::vector<std::string> describe(const SurfaceReport& s, const Mesh& triangles)
   line("area", words::measure(facts.measures.area, size, 2));
   if (encloses_volume(facts)) line("volume", words::measure(facts.measures.volume, size, 3));
   line("curvature", curvatures(facts));
+  if (s.solid) line("solid", thick(*s.solid));
   line("mesh", mesh(s));
   line("proof", proof(s.mesh, facts.domain));
   for (const Finding& finding : s.findings) line("finding", finding.text);
@@ -257,7 +269,9 @@ std::vector<std::string> describe_stroke(const SurfaceReport& report) {
   const CurveMesh& curve = *report.curve;
   lines.push_back("  curve of length " + words::number(curve.length) +
                   (curve.closed ? ", closed" : ""));
-  lines.push_back("  undefined over " + percent(curve.undefined_fraction) + " of the range of s");
+  if (curve.undefined_fraction > 0) {
+    lines.push_back("  undefined over " + percent(curve.undefined_fraction) + " of the range of s");
+  }
   lines.push_back("  " + percent(curve.proved_fraction) + " of it proved to be within " +
                   words::number(curve.tolerance) + " of its chords");
   for (const Finding& finding : report.findings) lines.push_back("  " + finding.text);

@@ -172,6 +172,16 @@ void add_facts(const SurfaceReport& s, Json& json) {
   json["least_triangles"] = finite_or_null(s.mesh.least_triangles);
 }
 
+Json solid(const SolidReport& s) {
+  return {{"closed", s.facts.closed},
+          {"shells", s.facts.shells},
+          {"volume", finite_or_null(s.facts.volume)},
+          {"self_intersections", s.facts.crossings},
+          {"thickness", finite_or_null(s.thickness)},
+          {"largest_thickness", finite_or_null(s.largest_thickness)},
+          {"at", place_or_null(s.at)}};
+}
+
 Json surface(const SurfaceReport& s) {
   std::vector<dvec2> singular;
   for (const SingularPoint& point : s.mesh.singular_points) singular.push_back(point.uv);
@@ -202,6 +212,8 @@ Json surface(const SurfaceReport& s) {
                {"certified", s.mesh.certified},
                {"proved_fraction", finite_or_null(s.mesh.proved_fraction)},
                {"uncertified", doubts(s.mesh.proof_gaps)}};
+  if (s.solid) json["solid"] = solid(*s.solid);
+  if (s.culls_backs) json["culls_backs"] = *s.culls_backs;
   if (s.facts) add_facts(s, json);
   return json;
 }
@@ -229,8 +241,9 @@ Json point(const SurfaceReport& s) {
   return {{"name", s.name}, {"position", vector(*s.place)}, {"triangles", s.triangles}};
 }
 
+/// `surface`: empty for one about the scene.
 Json finding(const std::string& surface, const Finding& f) {
-  Json json = {{"kind", name_of(f.kind)}, {"surface", surface}};
+  Json json = {{"kind", name_of(f.kind)}, {"surface", surface.empty() ? Json() : Json(surface)}};
   if (f.value) {
     json["value"] = finite_or_null(*f.value);
     json["unit"] = f.unit;
@@ -308,6 +321,9 @@ void write_report(std::ostream& out, const RunReport& report) {
   for (const SurfaceReport& s : report.surfaces) {
     for (const Finding& f : s.findings) json["findings"].push_back(finding(s.name, f));
   }
+  for (const SceneFinding& f : report.findings) {
+    json["findings"].push_back(finding(f.surface, f.finding));
+  }
   // Bytes that are not UTF-8 become replacement characters.
   out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
@@ -317,7 +333,10 @@ std::vector<std::string> summary(const RunReport& report) {
   for (const SurfaceReport& s : report.surfaces) {
     lines.push_back(s.name + ": " + std::to_string(s.mesh.cells) + " cells, " +
                     std::to_string(s.triangles) + " triangles, " + std::to_string(s.vertices) +
-                    " vertices, " + std::to_string(s.mesh.evaluations) + " evaluations");
+                    " vertices, " + std::to_string(s.mesh.evaluations) + " evaluations" +
+                    (!s.culls_backs   ? ""
+                     : *s.culls_backs ? ", back faces are culled"
+                                      : ", back faces are drawn"));
   }
   if (report.image) {
     lines.push_back("image: " + std::to_string(report.image->width) + "x" +

@@ -10,6 +10,8 @@
 #include "mesh/model/mesh.h"
 #include "mesh/model/mesh_report.h"
 #include "meshing/findings.h"
+#include "meshing/thickness.h"
+#include "render/picture/light_findings.h"
 #include "render/picture/picture.h"
 #include "study/facts.h"
 
@@ -22,10 +24,12 @@ struct SurfaceReport {
   Bounds bounds;
   MeshReport mesh;
   std::vector<Finding> findings;
-  int meshes = 1;                  ///< that an animation has made of it: several if t moves it
-  std::optional<Facts> facts;      ///< of `saddle check`
-  std::optional<CurveMesh> curve;  ///< of a curve, without its chains
-  std::optional<dvec3> place;      ///< of a point
+  int meshes = 1;                    ///< that an animation has made of it: several if t moves it
+  std::optional<Facts> facts;        ///< of `saddle check`
+  std::optional<SolidReport> solid;  ///< of a surface with a thickness
+  std::optional<bool> culls_backs;   ///< of a picture: its back faces are left out
+  std::optional<CurveMesh> curve;    ///< of a curve, without its chains
+  std::optional<dvec3> place;        ///< of a point
 };
 
 /// Whether the mesh has an inside.
@@ -48,7 +52,6 @@ struct ImageReport {
   std::string renderer;
   std::size_t meshes = 0;     ///< on the graphics card, each uploaded once unless it changes
   std::size_t instances = 0;  ///< drawn: a mesh once for each of its nodes
-  std::string shaders;        ///< the surfaces' programs, for --verbose
 };
 
 struct RunReport {
@@ -57,6 +60,7 @@ struct RunReport {
   int frames = 0;  ///< of an animation
   RunTimes times;
   std::vector<std::string> warnings;
+  std::vector<SceneFinding> findings;  ///< of a picture's lights
 };
 
 /// One JSON object. A key is there if its feature is: what was not computed is left out; what has

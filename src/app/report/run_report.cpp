@@ -2,9 +2,11 @@
 
 #include <utility>
 
+#include "app/report/formula_warnings.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/standard_streams.h"
+#include "scene/model/texture.h"
 #include "scene/options/unused_definitions.h"
 
 namespace saddle {
@@ -18,6 +20,7 @@ SurfaceReport report_of(const std::string& name, Tessellation& tessellation) {
   report.bounds = mesh.bounds;
   report.mesh = std::move(tessellation.report);
   report.findings = std::move(tessellation.findings);
+  report.solid = tessellation.solid;
   report.curve = std::move(tessellation.curve);
   report.place = tessellation.place;
   return report;
@@ -33,6 +36,18 @@ std::vector<std::string> warnings_of(const Scene& scene) {
   std::vector<std::string> warnings;
   for (const std::string& name : unused_definitions(scene)) {
     warnings.push_back(name + " is defined, but nothing that is drawn depends on it");
+  }
+  for (std::string& warning : reversed_clamps(scene)) warnings.push_back(std::move(warning));
+  for (const SurfaceSpec& spec : scene.surfaces) {
+    if (!spec.texture.picture) continue;
+    if (!is_opaque(spec.texture.picture->image)) {
+      warnings.push_back(spec.name + ": the texture's transparent pixels are drawn as opaque ones");
+    }
+    if (spec.texture.picture->file.size() > kMostEmbeddedBytes) {
+      warnings.push_back(spec.name +
+                         ": the texture has more than 1 MiB: saved scenes and pictures "
+                         "name its file, and look for it beside them");
+    }
   }
   return warnings;
 }

@@ -16,7 +16,8 @@ SurfaceReport report_of(const std::string& name, Tessellation& tessellation);
 
 void add_times(const Tessellation& tessellation, RunTimes& times);
 
-/// Warnings of a scene that need no mesh: definitions that nothing uses.
+/// Warnings of a scene that need no mesh: definitions that nothing uses, bounds that are reversed,
+/// textures that are not shown or saved as they are.
 std::vector<std::string> warnings_of(const Scene& scene);
 
 /// To standard error, unless --quiet.

@@ -30,6 +30,10 @@ Scene named_scene(const std::string& name, const std::optional<Theme>& theme) {
   if (name == "-") return load_standard_input(theme);
   if (is_scene_file(name)) return load_scene(name, theme);
   const GalleryEntry* const entry = find_gallery_entry(name);
+  if (entry == nullptr && find_option(name) != nullptr) {
+    throw Error(Status::Input, "no surface is called '" + name + "'", {},
+                "did you mean --" + name + "? saddle list prints all names of surfaces");
+  }
   if (entry == nullptr) throw unknown_gallery_name(name);
   return gallery_scene(*entry);
 }
@@ -242,12 +246,7 @@ Scene build_scene(const CommandLine& line) {
   for (const auto& [option, text] : line.given) {
     if (option->name != "theme") apply_option(*option, text, scene);
   }
-  if (alone && !is_stroke(segments[0])) {
-    for (const auto& [option, text] : segments[0].given) apply_option(*option, text, scene);
-    check_colors_are_used(segments[0].given, scene.surfaces);
-  } else {
-    apply_object_options(objects, scene);
-  }
+  apply_object_options(objects, scene);
   return resolve(std::move(scene));
 }
 

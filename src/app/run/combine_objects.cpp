@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <iterator>
 #include <optional>
 #include <set>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "base/error.h"
@@ -13,6 +15,7 @@
 #include "formula/language.h"
 #include "formula/lexer.h"
 #include "scene/model/assignments.h"
+#include "scene/model/object_names.h"
 #include "scene/options/unused_definitions.h"
 
 namespace saddle {
@@ -129,7 +132,9 @@ void keep_definitions(const Scene& scene, std::set<std::string> names, SurfaceSp
 }
 
 /// The text of a constant that a shared definition hides.
-std::string constant_text(double value) {
+std::string constant_text(const std::complex<double>& constant) {
+  if (constant.imag() != 0) return std::string(kImaginaryUnit);
+  const double value = constant.real();
   return std::isnan(value) ? "0/0" : std::isinf(value) ? "1/0" : format_number(value);
 }
 
@@ -216,31 +221,6 @@ std::vector<std::string> unused_of(const Scene& scene, const std::vector<Definit
   return unused;
 }
 
-/// Curves or points of an object, with a number after a name that others have.
-template <typename Stroke>
-void add_numbered(const std::vector<Stroke>& added, bool renames, std::vector<Stroke>& strokes) {
-  for (Stroke stroke : added) {
-    const std::string name = stroke.name;
-    for (int number = 2; renames && std::ranges::count(strokes, stroke.name, &Stroke::name) > 0;) {
-      stroke.name = name + " " + std::to_string(number++);
-    }
-    strokes.push_back(std::move(stroke));
-  }
-}
-
-/// The name of a surface, which a number makes different from those of others.
-std::string unique_name(Scene& scene, std::size_t surface) {
-  std::string& name = scene.surfaces[surface].name;
-  const auto is_taken = [&](const std::string& text) {
-    return std::ranges::count(scene.surfaces, text, &SurfaceSpec::name) > 0;
-  };
-  if (std::ranges::count(scene.surfaces, name, &SurfaceSpec::name) == 1) return name;
-  int number = 2;
-  while (is_taken(name + " " + std::to_string(number))) ++number;
-  name += " " + std::to_string(number);
-  return name;
-}
-
 }  // namespace
 
 Scene combine_objects(const std::vector<SceneObject>& objects,
@@ -270,14 +250,29 @@ Scene combine_objects(const std::vector<SceneObject>& objects,
       scene.surfaces.push_back(std::move(spec));
     }
     option_names.merge(names);
-    add_numbered(object->scene.curves, object != base, scene.curves);
-    add_numbered(object->scene.points, object != base, scene.points);
+    std::ranges::copy(object->scene.curves, std::back_inserter(scene.curves));
+    std::ranges::copy(object->scene.points, std::back_inserter(scene.points));
   }
   if (apart) scene.definitions.insert(scene.definitions.end(), shared.begin(), shared.end());
   pool.settle(unused_of(scene, shared, option_names, apart), scene.definitions);
   return scene;
 }
 
+namespace {
+
+/// Options of a texture without a picture would do nothing: throws Error (Input).
+void check_textures_are_used(const std::vector<GivenOption>& options,
+                             std::span<const SurfaceSpec> surfaces) {
+  const auto given = std::ranges::find_if(
+      options, [](const GivenOption& g) { return g.option->name.starts_with("texture-"); });
+  const auto has_picture = [](const SurfaceSpec& spec) { return spec.texture.picture != nullptr; };
+  if (given == options.end() || surfaces.empty() || std::ranges::any_of(surfaces, has_picture))
+    return;
+  throw Error(Status::Input, "there is no picture", {dashed(*given->option), "", {}},
+              "--texture FILE.png is one; checker has the cells of --grid");
+}
+
+/// Colours of a scale without anything to colour would do nothing: throws Error (Input).
 void check_colors_are_used(const std::vector<GivenOption>& options,
                            std::span<const SurfaceSpec> surfaces) {
   const auto given = std::ranges::find_if(options, [](const GivenOption& g) {
@@ -290,46 +285,79 @@ void check_colors_are_used(const std::vector<GivenOption>& options,
               "--color z colours by height, --color gauss by curvature");
 }
 
-namespace {
-
-/// Lets an object's options change the curves or points that it has in the scene, and puts those
-/// with u and v on the last surface before them. `surfaces`: those before and of the object.
-template <typename Stroke>
-void finish_strokes(const SceneObject& object, std::size_t surfaces, std::span<Stroke> strokes,
-                    Scene& scene) {
-  for (Stroke& stroke : strokes) {
+/// Lets the object's options change what it has in the scene: its surfaces, curves or points.
+template <typename Part>
+void apply_to(const SceneObject& object, std::span<Part> parts, const Scene& scene) {
+  constexpr bool kIsSurface = std::is_same_v<Part, SurfaceSpec>;
+  for (Part& part : parts) {
     for (const auto& [option, text] : object.options) {
-      if (!is_of_strokes(*option, !object.scene.surfaces.empty())) continue;
-      apply_option(*option, text, scene, stroke);
+      const bool takes = kIsSurface || is_of_strokes(*option, !object.scene.surfaces.empty());
+      if (takes) apply_option(*option, text, scene, part);
     }
-    const bool is_on_surface = !stroke.u.empty() || !stroke.v.empty();
-    if (!is_on_surface || !stroke.on.empty()) continue;
-    if (surfaces > 0) stroke.on = unique_name(scene, surfaces - 1);
   }
+}
+
+/// Which of the scene's parts are an object's.
+template <typename Part>
+struct Own {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+
+  void move_to(const std::vector<Part>& parts) { begin = std::exchange(end, end + parts.size()); }
+  std::span<Part> of(std::vector<Part>& all) const {
+    return std::span(all).subspan(begin, end - begin);
+  }
+};
+
+/// Lets a stroke's `on` mean its object's surface under the name that it has now, and puts one with
+/// u and v alone on the last surface before it. `names`: those before surfaces were numbered.
+template <typename Stroke>
+void put_on_surface(const std::vector<std::string>& names, const Own<SurfaceSpec>& own,
+                    const Scene& scene, Stroke& stroke) {
+  const bool is_on_surface = !stroke.u.empty() || !stroke.v.empty();
+  if (!is_on_surface || own.end == 0) return;
+  if (stroke.on.empty()) {
+    stroke.on = scene.surfaces[own.end - 1].name;
+    return;
+  }
+  std::size_t k = own.begin;
+  while (k < own.end && names[k] != stroke.on) ++k;
+  if (k < own.end) stroke.on = scene.surfaces[k].name;
 }
 
 }  // namespace
 
 void apply_object_options(const std::vector<SceneObject>& objects, Scene& scene) {
-  std::size_t begin = 0;
-  std::size_t curves = 0;
-  std::size_t points = 0;
+  if (objects.size() == 1) {  // its options are the scene's
+    for (const auto& [option, text] : objects[0].options) apply_option(*option, text, scene);
+    check_colors_are_used(objects[0].options, scene.surfaces);
+    check_textures_are_used(objects[0].options, scene.surfaces);
+    return;
+  }
+  struct Parts {
+    Own<SurfaceSpec> surfaces;
+    Own<CurveSpec> curves;
+    Own<PointSpec> points;
+  };
+  std::vector<Parts> parts;
+  Parts own;
   for (const SceneObject& object : objects) {
-    const std::span surfaces =
-        std::span(scene.surfaces).subspan(begin, object.scene.surfaces.size());
-    for (SurfaceSpec& surface : surfaces) {
-      for (const auto& [option, text] : object.options) {
-        apply_option(*option, text, scene, surface);
-      }
-    }
-    check_colors_are_used(object.options, surfaces);
-    begin += surfaces.size();
-    const std::size_t own_curves = object.scene.curves.size();
-    const std::size_t own_points = object.scene.points.size();
-    finish_strokes(object, begin, std::span(scene.curves).subspan(curves, own_curves), scene);
-    finish_strokes(object, begin, std::span(scene.points).subspan(points, own_points), scene);
-    curves += own_curves;
-    points += own_points;
+    own.surfaces.move_to(object.scene.surfaces);
+    own.curves.move_to(object.scene.curves);
+    own.points.move_to(object.scene.points);
+    apply_to(object, own.surfaces.of(scene.surfaces), scene);
+    apply_to(object, own.curves.of(scene.curves), scene);
+    apply_to(object, own.points.of(scene.points), scene);
+    check_colors_are_used(object.options, own.surfaces.of(scene.surfaces));
+    check_textures_are_used(object.options, own.surfaces.of(scene.surfaces));
+    parts.push_back(own);
+  }
+  std::vector<std::string> names;
+  for (const SurfaceSpec& spec : scene.surfaces) names.push_back(spec.name);
+  number_names(scene);
+  for (const Parts& p : parts) {
+    for (auto& curve : p.curves.of(scene.curves)) put_on_surface(names, p.surfaces, scene, curve);
+    for (auto& point : p.points.of(scene.points)) put_on_surface(names, p.surfaces, scene, point);
   }
 }
 

@@ -1,7 +1,6 @@
 // Several objects of a command line as one scene.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -28,11 +27,8 @@ Scene combine_objects(const std::vector<SceneObject>& objects,
                       const std::vector<std::string>& common,
                       const std::vector<GivenOption>& options);
 
-/// Colours of a scale without anything to colour would do nothing: throws Error (Input).
-void check_colors_are_used(const std::vector<GivenOption>& options,
-                           std::span<const SurfaceSpec> surfaces);
-
-/// Lets the objects' options change their surfaces, which stand in the scene in their order. Throws
+/// Lets the objects' options change their surfaces, curves and points, which stand in the scene in
+/// their order, and gives each its own name. The options of a lone object change the scene. Throws
 /// Error (Input).
 void apply_object_options(const std::vector<SceneObject>& objects, Scene& scene);
 

@@ -2,11 +2,10 @@
 // next one, films when all of them are whole.
 #pragma once
 
-#include <functional>
 #include <future>
 #include <memory>
 #include <mutex>
-#include <ostream>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -18,9 +17,11 @@
 #include "base/file.h"
 #include "base/image.h"
 #include "base/parallel.h"
+#include "export/losses.h"
 #include "export/video.h"
 #include "mesh/model/mesh.h"
 #include "scene/model/scene.h"
+#include "scene/options/run_settings.h"
 
 namespace saddle {
 
@@ -53,13 +54,20 @@ class WorkBehind {
 /// made of it.
 class OutputWriter {
  public:
-  /// `outputs` stay where they are. `threads` 0: all. `holds_back`: no file gets its name before
-  /// finish(). Throws Error (Machine) for a film without ffmpeg.
-  OutputWriter(std::span<const Output> outputs, const Scene& scene, unsigned threads,
-               bool holds_back);
+  /// `outputs` stay where they are. With --strict no file gets its name before finish(). Throws
+  /// Error (Machine) for a film without ffmpeg.
+  OutputWriter(std::span<const Output> outputs, const Scene& scene, const RunSettings& run);
 
-  /// Into the files of meshes that show this moment.
-  void write_meshes_of(const Shot& shot, const Scene& scene, std::span<const Mesh> meshes);
+  /// Looks at the meshes of this moment and their files. Returns whether a file lacks something.
+  /// Throws Error (Nothing) if a format has room for nothing of the scene.
+  bool take_meshes(const Shot& shot, const Scene& scene, std::span<const Mesh> meshes);
+
+  /// Into the files of meshes that show the moment of take_meshes(), whose arguments are still
+  /// there.
+  void write_meshes();
+
+  /// Into the pages that show this moment.
+  void write_pages_of(const Shot& shot, const PageContent& content);
 
   /// Into the files and films that show this moment, while the caller goes on. Throws what writing
   /// the picture before has thrown.
@@ -71,7 +79,7 @@ class OutputWriter {
   /// Gives files that were held back their names, writes scene files, then films. After wait().
   void finish(const Scene& scene);
 
-  /// Differences of the films from what was asked for.
+  /// Differences of the films and the files of meshes from what was asked for.
   std::vector<std::string> warnings() const;
 
   /// The time of writing, without a picture that is still being written.
@@ -83,16 +91,30 @@ class OutputWriter {
     std::unique_ptr<Video> video;
   };
 
+  /// Meshes on their way to a file.
+  struct MeshFile {
+    const Output& output;
+    int frame;
+    MeshContent content;
+  };
+  /// The first loss of each kind that a file has; another frame's may differ.
+  void add_losses(const Output& output, const std::vector<Loss>& losses);
+
   void write_picture_of(const Shot& shot, const Scene& scene, const Image& image);
   void write_films();
-  /// Lets `write` write a file, which may be held back.
-  void put(const std::string& path, const std::function<void(std::ostream&)>& write);
+  /// Writes files that belong together, which may be held back.
+  void put(const std::vector<FileToWrite>& files);
 
   std::span<const Output> outputs_;
   unsigned threads_;
   bool holds_back_;
   std::mutex mutex_;              ///< of held_: meshes are written beside pictures
   std::vector<StagedFile> held_;  ///< without their names
+  MeshUp mesh_up_;
+  std::vector<Shells> shells_;  ///< of the meshes at hand
+  std::vector<MeshFile> mesh_files_;
+  std::set<std::pair<const Output*, Loss::Kind>> known_losses_;
+  std::vector<std::string> warnings_;  ///< of files of meshes
   std::vector<Film> films_;
   double milliseconds_ = 0;  ///< of writing that the caller waits for
   WorkBehind behind_;        // the last member: it ends before what it writes to

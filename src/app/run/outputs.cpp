@@ -3,13 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <system_error>
-#include <unordered_map>
 
 #include "app/report/reference.h"
 #include "base/error.h"
-#include "base/file.h"
 #include "base/nearest.h"
 #include "base/standard_streams.h"
 
@@ -111,6 +108,17 @@ void check_format_is_used(const CommandLine& line) {
               "--format is for -o - and for names without an extension");
 }
 
+/// They are about pages alone. Throws Error (Input) without one.
+void check_page_options(const CommandLine& line, const std::vector<Output>& outputs) {
+  const auto is_page = [](const Output& output) { return output.format->takes_sliders; };
+  if (std::ranges::any_of(outputs, is_page)) return;
+  const bool has_sliders = line.run.sliders != RunSettings{}.sliders;
+  if (!has_sliders && !line.run.fragment) return;
+  throw Error(Status::Input, "no output is a page",
+              {has_sliders ? "--sliders" : "--fragment", has_sliders ? line.run.sliders : "", {}},
+              "for example -o page.html");
+}
+
 void check_standard_output(const CommandLine& line) {
   const auto outputs = std::ranges::count(line.run.outputs, "-");
   if (outputs + (line.run.report == "-" ? 1 : 0) > 1) {
@@ -142,65 +150,23 @@ std::string Output::path_of(int frame) const {
   return path.substr(0, number->begin) + digits + path.substr(number->end);
 }
 
-namespace {
-
-/// Each file that a run writes, under the name that it has when all links are followed.
-class WrittenFiles {
- public:
-  /// Throws Error (Input) if something else has this name, too.
-  void add(const std::string& path, const void* what) {
-    const auto [place, is_new] = files_.emplace(full_path(path), what);
-    if (is_new || place->second == what) return;
-    throw Error(Status::Input, "two outputs are called " + path, {}, "give each its own name");
+std::vector<std::string> Output::files_of(int frame) const {
+  if (path == "-") return {};
+  std::vector<std::string> files = {path_of(frame)};
+  const std::string stem = format->beside.empty() ? "" : stem_of(frame);
+  for (const FileBeside& file : format->beside) {
+    if (!stem.empty()) files.push_back(stem + std::string(file.ending));
   }
-
- private:
-  /// Links are followed: of a folder once, and of a file where there is one.
-  std::string full_path(const std::string& path) {
-    std::error_code ignored;  // a path that cannot be looked up is refused elsewhere
-    const std::filesystem::path given(path);
-    const std::string parent = given.parent_path().string();
-    auto folder = folders_.find(parent);
-    if (folder == folders_.end()) {
-      const auto absolute = std::filesystem::absolute(parent.empty() ? "." : parent, ignored);
-      folder = folders_.emplace(parent, std::filesystem::weakly_canonical(absolute, ignored)).first;
-    }
-    const std::filesystem::path file = folder->second / given.filename();
-    if (!std::filesystem::is_symlink(file, ignored)) return file.string();
-    // The link may lead to a file that is not there yet.
-    const std::filesystem::path target = follow_links(file);
-    return target == file ? file.string() : full_path(target.string());
-  }
-
-  std::map<std::string, std::filesystem::path> folders_;
-  std::unordered_map<std::string, const void*> files_;
-};
-
-/// The first of the outputs with this one's content and name: the later ones add nothing.
-const Output* first_alike(const std::vector<Output>& outputs, const Output& output) {
-  return &*std::ranges::find_if(outputs, [&](const Output& other) {
-    return other.path == output.path && other.format == output.format;
-  });
+  return files;
 }
 
-}  // namespace
-
-void check_names_differ(const CommandLine& line, const std::vector<Output>& outputs,
-                        std::span<const int> frames) {
-  WrittenFiles files;
-  for (const Output& output : outputs) {
-    if (output.path == "-") continue;
-    const Output* const what = first_alike(outputs, output);
-    if (!output.number) files.add(output.path, what);
-    for (std::size_t i = 0; output.number && i < frames.size(); ++i) {
-      files.add(output.path_of(frames[i]), what);
-    }
-  }
-  const std::string difference = difference_path(line.run.reference);
-  if (!difference.empty()) files.add(difference, &line.run.reference);
-  if (!line.run.report.empty() && line.run.report != "-") {
-    files.add(line.run.report, &line.run.report);
-  }
+std::string Output::stem_of(int frame) const {
+  const std::filesystem::path file = path_of(frame);
+  std::error_code none;
+  const bool is_other =
+      std::filesystem::exists(file, none) && !std::filesystem::is_regular_file(file, none);
+  if (path == "-" || is_other) return "";
+  return (file.parent_path() / file.stem()).string();
 }
 
 bool wants_viewer(const CommandLine& line) {
@@ -219,21 +185,39 @@ std::vector<Output> checked_outputs(const CommandLine& line) {
     outputs.push_back({path, format_of(path, fallback), checked_number(path)});
     unescape(outputs.back());
   }
+  check_page_options(line, outputs);
   check_standard_output(line);
   check_report_replaces_no_input(line);
   for (const Output& output : outputs) {
-    if (output.path != "-") check_writable(output.path_of(0));
+    for (const std::string& path : output.files_of(0)) check_writable(path);
   }
   if (!line.run.report.empty() && line.run.report != "-") check_writable(line.run.report);
   return outputs;
 }
 
-void write_to(const std::string& path, const std::function<void(std::ostream&)>& write) {
-  if (path == "-") {
-    write_standard_output(write);
+void write_all(const std::vector<FileToWrite>& files) {
+  if (files.size() == 1 && files[0].path == "-") {
+    write_standard_output(files[0].write);
   } else {
-    write_file_whole(path, write);
+    write_files_whole(files);
   }
+}
+
+std::vector<FileToWrite> mesh_files(const Output& output, int frame, MeshContent& content) {
+  const Format& format = *output.format;
+  const std::string stem = format.beside.empty() ? "" : output.stem_of(frame);
+  content.stem = std::filesystem::path(stem).filename().string();
+  std::vector<FileToWrite> files;
+  const auto add = [&](const std::string& path, auto* write) {
+    files.push_back({path, [&content, write](std::ostream& out) { write(out, content); }});
+  };
+  add(output.path_of(frame), format.write_mesh);
+  for (const FileBeside& file : format.beside) {
+    if (!stem.empty() && (file.is_needed == nullptr || file.is_needed(content))) {
+      add(stem + std::string(file.ending), file.write);
+    }
+  }
+  return files;
 }
 
 }  // namespace saddle

@@ -4,6 +4,7 @@
 
 #include <future>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "app/report/report.h"
 #include "base/image.h"
 #include "mesh/model/mesh.h"
+#include "render/picture/light_findings.h"
 #include "render/picture/picture.h"
 #include "scene/model/scene.h"
 
@@ -28,14 +30,25 @@ class PictureDrawer {
   /// Differences of the pictures from what was asked for.
   std::vector<std::string> warnings() const;
 
+  /// No light is on, if that is so in all pictures; cones that vertices lose, for each surface in
+  /// the first picture that has some.
+  std::vector<SceneFinding> findings() const;
+
   /// The report of a scene's picture. After draw(), like the functions below.
   ImageReport describe(const Image& image, const Scene& scene) const;
-  std::string shader_texts() const { return maker_->shader_texts(); }
+  /// The last picture left out the back faces of this surface.
+  bool culls(std::size_t surface) const;
+  const std::vector<SurfaceProgram>& programs() const { return maker_->surface_programs(); }
   const RenderTimes& times() const { return maker_->times(); }
 
  private:
+  void find(const Scene& scene, std::span<const Mesh> meshes);
+
   std::future<std::unique_ptr<PictureMaker>> starting_;
   std::unique_ptr<PictureMaker> maker_;
+  int bright_ = 0;  ///< pictures with lights that are on
+  std::optional<SceneFinding> dark_;
+  std::vector<SceneFinding> lost_;
 };
 
 }  // namespace saddle

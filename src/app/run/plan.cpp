@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "app/run/build_scene.h"
+#include "app/run/written_files.h"
 
 namespace saddle {
 namespace {
 
 Purpose purpose_of(const CommandLine& line, const std::vector<Output>& outputs) {
-  const auto is_picture = [](const Output& output) { return output.format->is_drawn(); };
+  const auto is_picture = [](const Output& output) { return output.format->is_seen(); };
   const auto is_mesh = [](const Output& output) { return output.is(Format::Kind::Mesh); };
   Purpose purpose;
   purpose.picture = !line.run.reference.empty() || std::ranges::any_of(outputs, is_picture);
@@ -39,6 +40,11 @@ Plan::Plan(const CommandLine& line)
 int Plan::frames() const {
   return static_cast<int>(
       std::ranges::count_if(shots, [](const Shot& shot) { return shot.frame.has_value(); }));
+}
+
+bool Plan::draws(const CommandLine& line) const {
+  const auto is_drawn = [](const Output& output) { return output.format->is_drawn(); };
+  return !line.run.reference.empty() || std::ranges::any_of(outputs, is_drawn);
 }
 
 bool Plan::needs_camera() const {

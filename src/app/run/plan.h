@@ -24,6 +24,8 @@ struct Plan {
   const Scene& scene() const { return timeline.scene(); }
   /// Shots that are frames of an animation.
   int frames() const;
+  /// Pictures are drawn: a page is seen, and drawn elsewhere.
+  bool draws(const CommandLine& line) const;
   /// Pixels are drawn, or are the unit of the mesh's tolerance.
   bool needs_camera() const;
 };

@@ -1,12 +1,13 @@
 #include "app/run/scene_meshes.h"
 
 #include <algorithm>
-#include <exception>
+#include <numeric>
 #include <utility>
 
 #include "app/report/run_report.h"
 #include "base/activity.h"
 #include "base/parallel.h"
+#include "meshing/solids.h"
 #include "scene/model/prepare.h"
 
 namespace saddle {
@@ -18,8 +19,20 @@ constexpr std::size_t kSurfacesPerThread = 4;
 
 }  // namespace
 
-bool SceneMeshes::is_to_mesh(std::size_t surface) const {
-  return surface >= known_.size() || known_[surface].moves;
+/// In millimetres of a print, a thickness depends on all surfaces.
+std::vector<std::size_t> SceneMeshes::surfaces_to_mesh(const Scene& scene) const {
+  std::vector<std::size_t> moved;
+  bool depends_on_all = false;
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    const auto thickness = thickness_of(scene, scene.surfaces[i]);
+    const bool is_known = i < known_.size() && !known_[i].moves && known_[i].thickness == thickness;
+    if (!is_known) moved.push_back(i);
+    depends_on_all |= thickness && thickness->millimetres && scene.mesh.print_size;
+  }
+  if (moved.empty() || !depends_on_all) return moved;
+  moved.resize(scene.surfaces.size());
+  std::iota(moved.begin(), moved.end(), std::size_t{0});
+  return moved;
 }
 
 bool SceneMeshes::warn() const {
@@ -27,42 +40,46 @@ bool SceneMeshes::warn() const {
 }
 
 std::vector<std::size_t> SceneMeshes::update(const Scene& scene, const std::string& frame) {
-  std::vector<std::size_t> updated;
-  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    if (is_to_mesh(i)) updated.push_back(i);
-  }
-  std::vector<std::promise<Tessellation>> made(updated.size());
+  const std::vector<std::size_t> updated = surfaces_to_mesh(scene);
+  std::vector<Made> made(updated.size());
   const unsigned threads = threads_ > 0 ? threads_ : available_threads();
   const bool side_by_side = updated.size() >= kSurfacesPerThread * threads;
   Activity meshing("meshing", updated.size());
   parallel_chunks(updated.size(), 1, side_by_side ? threads : 1, [&](std::size_t k, std::size_t) {
     try {
       const SurfaceSpec& spec = scene.surfaces[updated[k]];
-      made[k].set_value(tessellate(scene, spec, purpose_, side_by_side ? 1 : threads));
+      made[k].mesh = tessellate(scene, spec, purpose_, side_by_side ? 1 : threads);
     } catch (...) {
-      made[k].set_exception(std::current_exception());
+      made[k].failure = std::current_exception();
     }
     meshing.advance();
   });
+  std::vector<Tessellation*> meshes(scene.surfaces.size());
   for (std::size_t k = 0; k < updated.size(); ++k) {
-    take(scene, updated[k], frame, made[k].get_future());
+    if (made[k].mesh) meshes[updated[k]] = &*made[k].mesh;
+  }
+  thicken_scene(scene, meshes, true, threads);
+  for (std::size_t k = 0; k < updated.size(); ++k) {
+    take(scene, updated[k], frame, std::move(made[k]));
   }
   return updated;
 }
 
 void SceneMeshes::take(const Scene& scene, std::size_t surface, const std::string& frame,
-                       std::future<Tessellation> future) {
+                       Made result) {
   if (surface == known_.size()) {
     known_.emplace_back();
     known_.back().report.meshes = 0;
     meshes_.emplace_back();
   }
   Known& known = known_[surface];
+  known.thickness = thickness_of(scene, scene.surfaces[surface]);
   std::vector<std::string> warnings;
   std::vector<Finding> findings = std::move(known.report.findings);
   const int meshes = known.report.meshes + 1;
   try {
-    Tessellation made = future.get();
+    if (result.failure) std::rethrow_exception(result.failure);
+    Tessellation& made = *result.mesh;
     add_times(made, times_);
     warnings = std::move(made.warnings);
     known.report = report_of(scene.surfaces[surface].name, made);

@@ -1,7 +1,7 @@
 // The meshes of a scene at one moment after another: what t does not move is meshed once.
 #pragma once
 
-#include <future>
+#include <exception>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,16 +37,22 @@ class SceneMeshes {
   struct Known {
     SurfaceReport report;
     bool moves = false;
+    std::optional<Thickness> thickness = {};
     bool drawn = false;                 ///< there was something to draw
     std::vector<std::string> warnings;  ///< those of the first frame that had any
     std::string first;                  ///< that frame
     int frames = 0;                     ///< that had any
   };
 
-  bool is_to_mesh(std::size_t surface) const;
+  /// A surface's mesh, or why it has none.
+  struct Made {
+    std::optional<Tessellation> mesh;
+    std::exception_ptr failure;
+  };
+
+  std::vector<std::size_t> surfaces_to_mesh(const Scene& scene) const;
   /// Keeps a surface's mesh, or that it has none in this frame.
-  void take(const Scene& scene, std::size_t surface, const std::string& frame,
-            std::future<Tessellation> future);
+  void take(const Scene& scene, std::size_t surface, const std::string& frame, Made made);
 
   Purpose purpose_;
   unsigned threads_;

@@ -93,9 +93,12 @@ std::vector<std::size_t> ContourTracer::cross_sides() {
   return ends;
 }
 
-std::uint32_t ContourTracer::add_vertex(const dvec2& uv, const dvec3& on_mesh, double reach) {
+std::uint32_t ContourTracer::add_vertex(const dvec2& uv, const dvec3& on_mesh, const dvec3& normal,
+                                        double reach) {
   uv_.push_back(uv);
   on_mesh_.push_back(on_mesh);
+  const double length = glm::length(normal);
+  normal_.push_back(length > 0 ? normal / length : dvec3(0));
   reach_.push_back(reach + kAside * mesh_error_);
   return static_cast<std::uint32_t>(uv_.size() - 1);
 }
@@ -109,6 +112,7 @@ void ContourTracer::place_vertices(std::size_t first, MeshContours& contours) {
     const bool is_near = glm::distance(places[i], on_mesh) <= reach_[first + i];  // NaN is not
     contours.position.push_back(is_near ? places[i] : on_mesh);
     contours.on_mesh.push_back(on_mesh);
+    contours.normal.push_back(normal_[first + i]);
   }
 }
 
@@ -116,13 +120,17 @@ void ContourTracer::trace(MeshContours& contours) {
   const auto base = static_cast<std::uint32_t>(contours.position.size());
   uv_.assign(base, {});  // numbers are those of `contours`
   on_mesh_.assign(base, {});
+  normal_.assign(base, {});
   reach_.assign(base, 0);
   std::vector<std::uint32_t> vertex(crossings_.size());
   for (std::size_t i = 0; i < crossings_.size(); ++i) {
     const auto& [from, to, at_from, at_to, level, part, is_jump] = crossings_[i];
-    const dvec3& a = mesh_.position[sides_[i][0]];
-    const dvec3& b = mesh_.position[sides_[i][1]];
-    vertex[i] = add_vertex(glm::mix(from, to, part), glm::mix(a, b, part), glm::distance(a, b));
+    const auto& [first, second] = sides_[i];
+    const dvec3& a = mesh_.position[first];
+    const dvec3& b = mesh_.position[second];
+    vertex[i] =
+        add_vertex(glm::mix(from, to, part), glm::mix(a, b, part),
+                   glm::mix(mesh_.normal[first], mesh_.normal[second], part), glm::distance(a, b));
   }
   place_vertices(base, contours);
   std::vector<Part> parts;
@@ -171,8 +179,10 @@ void ContourTracer::halve_parts(std::vector<Part>& parts, bool always, MeshConto
     const double share = bracketed[i].from + (bracketed[i].to - bracketed[i].from) / 2;
     const dvec3& a = mesh_.position[piece.alone];
     const dvec3 b = glm::mix(mesh_.position[piece.second], mesh_.position[piece.third], share);
-    add_vertex(glm::mix(brackets[i].from, brackets[i].to, brackets[i].part),
-               glm::mix(a, b, brackets[i].part), glm::distance(a, b));
+    const dvec3 normal = glm::mix(mesh_.normal[piece.second], mesh_.normal[piece.third], share);
+    const double part = brackets[i].part;
+    add_vertex(glm::mix(brackets[i].from, brackets[i].to, part), glm::mix(a, b, part),
+               glm::mix(mesh_.normal[piece.alone], normal, part), glm::distance(a, b));
     found.push_back(bracketed[i]);
   }
   place_vertices(first, contours);

@@ -62,7 +62,8 @@ class ContourTracer {
   };
 
   std::size_t crossing(std::uint32_t a, std::uint32_t b, std::size_t level);
-  std::uint32_t add_vertex(const dvec2& uv, const dvec3& on_mesh, double reach);
+  std::uint32_t add_vertex(const dvec2& uv, const dvec3& on_mesh, const dvec3& normal,
+                           double reach);
   void place_vertices(std::size_t first, MeshContours& contours);
   void halve_parts(std::vector<Part>& parts, bool always, MeshContours& contours);
 
@@ -80,6 +81,7 @@ class ContourTracer {
   // Vertices that have no true place yet.
   std::vector<dvec2> uv_;
   std::vector<dvec3> on_mesh_;
+  std::vector<dvec3> normal_;
   std::vector<double> reach_;  // a place farther from the mesh's is beyond a cut
 };
 

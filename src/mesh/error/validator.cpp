@@ -22,6 +22,10 @@ namespace saddle {
 
 namespace {
 
+/// Plain leaves that are validated at a time: 3 MB for them and their errors, and work for all
+/// threads.
+constexpr std::size_t kPlainAtATime = 1 << 14;
+
 bool share_corner(const Triangle& a, const Triangle& b) {
   return std::ranges::any_of(
       a, [&](std::uint32_t corner) { return std::ranges::find(b, corner) != b.end(); });
@@ -129,8 +133,27 @@ std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
   std::vector<TwoTriangles> plain;
   std::vector<std::size_t> numbers;  // of those, in `which`
   std::vector<std::size_t> others;
-  plain.reserve(which.size());
-  numbers.reserve(which.size());
+  std::vector<std::size_t> failed;
+  const auto validate = [&] {
+    const auto sampled_errors = validate_many(surface_, grid_, plain, threads_);
+    evaluations_ += kPlacesInLeaf * plain.size();
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      const std::size_t number = numbers[i];
+      const std::size_t leaf = which[number];
+      // An error above the tolerance may be outside of the clip box.
+      if (!sampled_errors[i] || (clip_ && sampled_errors[i]->worst.distance > mesh.allowed[leaf])) {
+        failed.push_back(number);
+        continue;
+      }
+      mesh.sampled_errors[leaf] = sampled_errors[i]->worst;
+      if (!may_be_missed(mesh, leaf, sampled_errors[i]->predicted)) continue;
+      for (const dvec2& part : plain[i].places) {
+        maxima.add(leaf, triangles.of(number), glm::mix(plain[i].low, plain[i].high, part));
+      }
+    }
+    plain.clear();
+    numbers.clear();
+  };
   for (std::size_t k = 0; k < which.size(); ++k) {
     if (!triangles.ranges[k].is_plain) {
       others.push_back(k);
@@ -143,23 +166,10 @@ std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
                      tree_.vertices().parameters(leaf.high),
                      {two[0], two[1]},
                      validation_places(leaf)});
+    if (plain.size() == kPlainAtATime) validate();
   }
-  const auto sampled_errors = validate_many(surface_, grid_, plain, threads_);
-  evaluations_ += kPlacesInLeaf * plain.size();
-  for (std::size_t i = 0; i < plain.size(); ++i) {
-    const std::size_t number = numbers[i];
-    const std::size_t leaf = which[number];
-    // An error above the tolerance may be outside of the clip box.
-    if (!sampled_errors[i] || (clip_ && sampled_errors[i]->worst.distance > mesh.allowed[leaf])) {
-      others.push_back(number);
-      continue;
-    }
-    mesh.sampled_errors[leaf] = sampled_errors[i]->worst;
-    if (!may_be_missed(mesh, leaf, sampled_errors[i]->predicted)) continue;
-    for (const dvec2& part : plain[i].places) {
-      maxima.add(leaf, triangles.of(number), glm::mix(plain[i].low, plain[i].high, part));
-    }
-  }
+  validate();
+  others.insert(others.end(), failed.begin(), failed.end());
   return others;
 }
 

@@ -26,12 +26,10 @@ constexpr std::size_t kFewCells = 1000;
 
 /// Throws if all triangles are thinner than rounding.
 [[noreturn]] void throw_too_long(int axis, double times, const Domain& domain) {
-  const std::string as_wide = "as long along " + std::string(1, "xyz"[axis]) + " as it is wide";
+  const std::string many = std::isfinite(times) ? formatted("%.0e", times) : "countless";
   throw Error(Status::Nothing,
-              "the surface is " +
-                  (std::isfinite(times) ? formatted("%.0e times ", times) + as_wide
-                                        : "too many times " + as_wide + " for a number") +
-                  ": in double precision it is a line",
+              "the surface is " + many + " times as long along " + "xyz"[axis] +
+                  " as it is wide: in double precision it is a line",
               {},
               std::string("scale ") + "xyz"[axis] + " down, or give ranges of " + domain.names[0] +
                   " and " + domain.names[1] + " in which x, y and z stay in proportion");

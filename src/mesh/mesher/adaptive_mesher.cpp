@@ -99,7 +99,7 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
       std::ranges::copy(more.leaves, std::back_inserter(active.leaves));
       std::ranges::copy(more.counterexamples, std::back_inserter(active.counterexamples));
     }
-    refine(active, {until, limits_.triangles});
+    refine(std::move(active), {until, limits_.triangles});
   }
   if (stops_early()) return;
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
@@ -202,10 +202,14 @@ bool AdaptiveMesher::crosses_box(const Leaf& leaf) const {
          });
 }
 
-void AdaptiveMesher::append(const Subdivision& subdivision) {
+void AdaptiveMesher::append(Subdivision subdivision) {
   reached_limit_ = reached_limit_ || subdivision.reached_limit;
   if (!oscillates_) oscillates_ = subdivision.oscillates;
-  mesh_.leaves.insert(mesh_.leaves.end(), subdivision.leaves.begin(), subdivision.leaves.end());
+  if (mesh_.leaves.empty()) {
+    mesh_.leaves = std::move(subdivision.leaves);
+  } else {
+    mesh_.leaves.insert(mesh_.leaves.end(), subdivision.leaves.begin(), subdivision.leaves.end());
+  }
   empty_.insert(empty_.end(), subdivision.empty.begin(), subdivision.empty.end());
 }
 
@@ -223,7 +227,7 @@ void AdaptiveMesher::find_far_vertices() {
 /// that are new or cut.
 void AdaptiveMesher::refine(ActiveLeaves active, const SubdivisionGoal& goal) {
   landmarks_.append_missed(active.leaves, active.counterexamples);
-  append(subdivide(active, oscillation(), limits_, goal, grid_, tree_));
+  append(subdivide(std::move(active), oscillation(), limits_, goal, grid_, tree_));
   find_far_vertices();
   if (stops_early()) return;
   mirror_seams(seams_, request_.threads, grid_, tree_, points_);

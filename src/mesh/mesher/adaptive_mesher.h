@@ -76,7 +76,7 @@ class AdaptiveMesher {
   TraceOptions trace_options() const;
   bool stop_if_full();
   void refine(ActiveLeaves active, const SubdivisionGoal& goal);
-  void append(const Subdivision& subdivision);
+  void append(Subdivision subdivision);
   std::vector<std::size_t> follow_all_features();
   void join_points();
   void place_inner_vertices(std::size_t first);

@@ -160,9 +160,8 @@ class FeatureTracer {
     add_pairs(FeatureKind::Jump, jumping, jumps);
   }
 
-  bool is_on_seam(const Side& side) const {
-    if (!tree_.edges().has_seams()) return false;
-    const ParameterBox domain = box_of(tree_.surface().domain);
+  /// Whether a side is of the domain's edge.
+  bool is_on_edge(const Side& side, const ParameterBox& domain) const {
     const auto [a, b] = line(side);
     const auto is_edge = [&](int axis) {
       return a[axis] == b[axis] && (a[axis] == domain.low[axis] || a[axis] == domain.high[axis]);
@@ -173,11 +172,14 @@ class FeatureTracer {
   /// Finds cliffs. Leaves the sides that have none.
   void cut_at_cliffs(std::vector<Side>& sides) {
     if (!tree_.edges().may_have_cliffs()) return;
+    const bool has_seams = tree_.edges().has_seams();
+    const ParameterBox domain = box_of(tree_.surface().domain);
     std::vector<Line> lines;
     double delta = std::numeric_limits<double>::infinity();
     for (const Side& side : sides) {
       const auto [a, b] = line(side);
-      lines.push_back({a, is_on_seam(side) ? a : b});  // a line without length has no cliff
+      const bool is_on_seam = has_seams && is_on_edge(side, domain);
+      lines.push_back({a, is_on_seam ? a : b});  // a line without length has no cliff
       delta = std::min(delta, options_.tolerance(tree_.mesh().position[side[0]]));
     }
     const auto cliffs =

@@ -42,11 +42,15 @@ std::vector<std::size_t> LeafProof::unproved_leaves(const ValidatedMesh& mesh) c
   return leaves;
 }
 
-std::vector<Patch> LeafProof::patches_of(const ValidatedMesh& mesh) const {
-  std::vector<Patch> patches;
-  for (std::size_t k = 0; k < mesh.leaves.size(); ++k)
-    patches.push_back(patch_of(mesh.leaves[k], mesh.allowed[k], grid_, tree_));
-  return patches;
+ProvedCells LeafProof::cells_of(const ValidatedMesh& mesh) const {
+  const dvec2 range = box_of(surface_.domain).size();
+  ProvedCells cells;
+  for (const Leaf& leaf : mesh.leaves) {
+    const ParameterBox box = {tree_.vertices().parameters(leaf.low),
+                              tree_.vertices().parameters(leaf.high)};
+    cells.add(box.size(), range);
+  }
+  return cells;
 }
 
 LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
@@ -77,7 +81,7 @@ LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
     result.counterexamples.back().cell = leaf;
     mesh.add(leaf, found.distance, found.counterexample.uv);
   }
-  cells_ = proved_cells(patches_of(mesh), surface_.domain);
+  cells_ = cells_of(mesh);
   proof_ = std::move(proof);
   return result;
 }

@@ -54,7 +54,7 @@ class LeafProof {
   void complete(bool reached_limit, KnownHulls& hulls, MeshReport& report);
 
  private:
-  std::vector<Patch> patches_of(const ValidatedMesh& mesh) const;
+  ProvedCells cells_of(const ValidatedMesh& mesh) const;
   std::vector<std::size_t> unproved_leaves(const ValidatedMesh& mesh) const;
   std::vector<Counterexample> refute(std::span<const UnprovedBox> boxes, ValidatedMesh& mesh) const;
   bool is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mesh) const;

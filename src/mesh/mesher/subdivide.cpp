@@ -23,12 +23,28 @@ namespace saddle {
 
 namespace {
 
+/// Where an active leaf comes from.
+struct Origin {
+  std::vector<std::uint32_t> counterexamples;  ///< numbers of those in the leaf
+  double parent_distance = kInfinity;          ///< error ratios of the leaf that it is a half of
+  double parent_turn = kInfinity;
+};
+
 /// An active leaf without an error estimate.
 struct Candidate {
   Leaf leaf;
-  std::vector<std::uint32_t> counterexamples;  ///< numbers of those in the leaf
-  double parent_distance;                      ///< error ratios of the leaf that it is a half of
-  double parent_turn;
+  Origin origin;
+};
+
+/// The active leaves of a generation. Leaves stand apart, for loops over many of them.
+struct Generation {
+  std::vector<Leaf> leaves;
+  std::vector<Origin> origins;
+
+  void clear() {
+    leaves.clear();
+    origins.clear();
+  }
 };
 
 /// An active leaf with its error estimate.
@@ -54,39 +70,40 @@ class Subdivider {
 
   /// Estimates the errors of a generation of leaves and replaces it by the next one: the halves of
   /// the leaves that fail.
-  void advance(std::vector<Candidate>& candidates) {
-    std::vector<Leaf> leaves;
-    leaves.reserve(candidates.size());
-    for (Candidate& candidate : candidates) {
-      request_samples(candidate.leaf, tree_);
-      leaves.push_back(candidate.leaf);
-    }
+  void advance(Generation& generation) {
+    auto& [leaves, origins] = generation;
+    for (Leaf& leaf : leaves) request_samples(leaf, tree_);
     tree_.geometry().evaluate(limits_.threads);
     const FastCellErrors fast_errors = estimate_many(leaves, limits_, indicator_, tree_);
-    place_thin_vertices(leaves_with_thin_parts(candidates, fast_errors), limits_.tolerance,
+    place_thin_vertices(leaves_with_thin_parts(generation, fast_errors), limits_.tolerance,
                         limits_.threads, tree_);
     next_.clear();
     oscillation_.clear();
+    const auto passing =
+        static_cast<std::size_t>(std::ranges::count_if(fast_errors.leaves, &FastCellError::passes));
+    // Leaves that grow by doubling would have room for up to twice as many.
+    if (passing > result_.leaves.size()) result_.leaves.reserve(result_.leaves.size() + passing);
     std::vector<Estimated> boundaries;
     std::vector<Estimated> to_search;
     std::vector<Estimated> smooth;
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
+    for (std::size_t k = 0; k < leaves.size(); ++k) {
       const FastCellError& fast = fast_errors.leaves[k];
       const bool is_thinly_cut = has_thin_vertex(leaves[k], tree_);
-      if (fast.passes && candidates[k].counterexamples.empty() && !is_thinly_cut) {
+      if (fast.passes && origins[k].counterexamples.empty() && !is_thinly_cut) {
         keep_passing(leaves[k], fast.distance);
         continue;
       }
+      Candidate candidate{leaves[k], std::move(origins[k])};
       const int defined = fast.is_known ? 9 : count_defined(tree_, leaves[k]);
       if (defined == 0 && !is_thinly_cut) {
-        seek_defined(candidates[k]);
+        seek_defined(candidate);
         continue;
       }
       if (defined < 9 || is_thinly_cut) {
-        if (!keep_oscillating_boundary(leaves[k])) boundaries.push_back({candidates[k], {}});
+        if (!keep_oscillating_boundary(leaves[k])) boundaries.push_back({std::move(candidate), {}});
         continue;
       }
-      Estimated estimated = estimate(std::move(candidates[k]), fast_errors.error(fast));
+      Estimated estimated = estimate(std::move(candidate), fast_errors.error(fast));
       const Leaf& leaf = estimated.candidate.leaf;
       if (!leaf.state.leads_to_pole()) {
         oscillation_.add(leaf, estimated.error.distance, tree_);
@@ -105,7 +122,7 @@ class Subdivider {
     for (const Estimated& estimated : smooth) keep_or_halve(estimated);
     halve_boundaries(boundaries);
     search_features(to_search);
-    std::swap(candidates, next_);
+    std::swap(generation, next_);
   }
 
   Subdivision take_result() { return std::move(result_); }
@@ -119,27 +136,27 @@ class Subdivider {
 
   /// Leaves that the surface's boundary is known to cross: by samples, by vertices of neighbours,
   /// or by counterexamples.
-  std::vector<Leaf> leaves_with_thin_parts(std::span<const Candidate> candidates,
+  std::vector<Leaf> leaves_with_thin_parts(const Generation& generation,
                                            const FastCellErrors& fast_errors) const {
-    std::vector<Leaf> leaves;
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-      const Candidate& candidate = candidates[k];
-      const int defined = fast_errors.leaves[k].is_known ? 9 : count_defined(tree_, candidate.leaf);
-      const bool is_crossed = defined == 0 ? is_known_defined(candidate)
-                              : defined == 9
-                                  ? has_thin_vertex(candidate.leaf, tree_) || has_hole(candidate)
-                                  : true;
-      if (is_crossed) leaves.push_back(candidate.leaf);
+    std::vector<Leaf> crossed;
+    for (std::size_t k = 0; k < generation.leaves.size(); ++k) {
+      const Leaf& leaf = generation.leaves[k];
+      const Origin& origin = generation.origins[k];
+      const int defined = fast_errors.leaves[k].is_known ? 9 : count_defined(tree_, leaf);
+      const bool is_crossed = defined == 0   ? is_known_defined(leaf, origin)
+                              : defined == 9 ? has_thin_vertex(leaf, tree_) || has_hole(origin)
+                                             : true;
+      if (is_crossed) crossed.push_back(leaf);
     }
-    return leaves;
+    return crossed;
   }
 
-  bool is_known_defined(const Candidate& candidate) const {
-    return !candidate.counterexamples.empty() || has_defined_corner(candidate.leaf, tree_);
+  bool is_known_defined(const Leaf& leaf, const Origin& origin) const {
+    return !origin.counterexamples.empty() || has_defined_corner(leaf, tree_);
   }
 
-  bool has_hole(const Candidate& candidate) const {
-    return std::ranges::any_of(candidate.counterexamples, [this](std::uint32_t number) {
+  bool has_hole(const Origin& origin) const {
+    return std::ranges::any_of(origin.counterexamples, [this](std::uint32_t number) {
       return !is_finite(counterexamples_[number].position);
     });
   }
@@ -157,15 +174,15 @@ class Subdivider {
     }
     for (Leaf half : *halves) {
       half.state.forget_boundary();
-      push(half, estimated.candidate, estimated.candidate.parent_distance,
-           estimated.candidate.parent_turn);
+      const Origin& origin = estimated.candidate.origin;
+      push(half, origin, origin.parent_distance, origin.parent_turn);
     }
   }
 
   /// Halves a leaf that is defined at none of its samples, if it is known to be defined somewhere.
   void seek_defined(const Candidate& candidate) {
     const Leaf& leaf = candidate.leaf;
-    const auto halves = is_known_defined(candidate)
+    const auto halves = is_known_defined(leaf, candidate.origin)
                             ? halve_if_allowed(leaf, seeks_along_u(candidate))
                             : std::nullopt;
     if (!halves) {
@@ -174,7 +191,7 @@ class Subdivider {
     }
     for (Leaf half : *halves) {
       half.sought = static_cast<std::uint8_t>(halvings_of_root(half));
-      push(half, candidate, candidate.parent_distance, candidate.parent_turn);
+      push(half, candidate.origin, candidate.origin.parent_distance, candidate.origin.parent_turn);
     }
   }
 
@@ -182,7 +199,7 @@ class Subdivider {
   /// longer direction.
   bool seeks_along_u(const Candidate& candidate) const {
     const Leaf& leaf = candidate.leaf;
-    for (const std::uint32_t number : candidate.counterexamples) {
+    for (const std::uint32_t number : candidate.origin.counterexamples) {
       const dvec2& bend = counterexamples_[number].bend;
       if (bend.x > 0 && bend.y == 0 && leaf.size_u() > 1) return true;
       if (bend.y > 0 && bend.x == 0 && leaf.size_v() > 1) return false;
@@ -306,9 +323,9 @@ class Subdivider {
     if (leaf.state.leads_to_pole()) estimated.error.distance = estimated.error.gap;
     const double distance = estimated.error.distance.worst() * leaf.safety;
     const double turn = estimated.error.turn.worst() * leaf.normal_safety;
-    const auto& [whole, counterexamples, parent_distance, parent_turn] = estimated.candidate;
-    leaf.stagnation = count_stagnation(leaf.stagnation, distance, parent_distance);
-    leaf.normal_stagnation = count_stagnation(leaf.normal_stagnation, turn, parent_turn);
+    const Origin& origin = estimated.candidate.origin;
+    leaf.stagnation = count_stagnation(leaf.stagnation, distance, origin.parent_distance);
+    leaf.normal_stagnation = count_stagnation(leaf.normal_stagnation, turn, origin.parent_turn);
     return estimated;
   }
 
@@ -344,7 +361,7 @@ class Subdivider {
     }
     for (Leaf half : *halves) {
       if (missed != nullptr) half.sought = static_cast<std::uint8_t>(halvings_of_root(half));
-      push(half, estimated.candidate, distance, turn);
+      push(half, estimated.candidate.origin, distance, turn);
     }
   }
 
@@ -372,18 +389,19 @@ class Subdivider {
   }
 
   /// Adds a half to the next generation, with the counterexamples in it.
-  void push(const Leaf& half, const Candidate& whole, double distance, double turn) {
-    Candidate candidate{half, {}, distance, turn};
+  void push(const Leaf& half, const Origin& whole, double distance, double turn) {
+    Origin origin{{}, distance, turn};
     if (!whole.counterexamples.empty()) {
       const dvec2 low = tree_.vertices().parameters(half.low);
       const dvec2 size = tree_.vertices().parameters(half.high) - low;
       for (const std::uint32_t counterexample : whole.counterexamples) {
         const dvec2 part = (counterexamples_[counterexample].uv - low) / size;
         const bool is_inside = part.x >= 0 && part.x <= 1 && part.y >= 0 && part.y <= 1;
-        if (is_inside) candidate.counterexamples.push_back(counterexample);
+        if (is_inside) origin.counterexamples.push_back(counterexample);
       }
     }
-    next_.push_back(std::move(candidate));
+    next_.leaves.push_back(half);
+    next_.origins.push_back(std::move(origin));
   }
 
   /// The landmarks at which a leaf is larger than the tolerance.
@@ -391,7 +409,7 @@ class Subdivider {
     const dvec2 size = glm::abs(tree_.vertices().parameters(candidate.leaf.high) -
                                 tree_.vertices().parameters(candidate.leaf.low));
     std::vector<const Counterexample*> landmarks;
-    for (const std::uint32_t number : candidate.counterexamples) {
+    for (const std::uint32_t number : candidate.origin.counterexamples) {
       const Counterexample& place = counterexamples_[number];
       if (!place.speed || !is_finite(place.position)) continue;
       if (glm::dot(*place.speed, size) > limits_.tolerance(place.position))
@@ -417,8 +435,8 @@ class Subdivider {
 
   /// The first counterexample that a leaf misses.
   const Counterexample* missed_counterexample(const Estimated& estimated) const {
-    const auto& [leaf, counterexamples, parent_distance, parent_turn] = estimated.candidate;
-    for (const std::uint32_t counterexample : counterexamples) {
+    const auto& [leaf, origin] = estimated.candidate;
+    for (const std::uint32_t counterexample : origin.counterexamples) {
       if (indicator_.misses(leaf, counterexamples_[counterexample]))
         return &counterexamples_[counterexample];
     }
@@ -431,7 +449,7 @@ class Subdivider {
   const Grid& grid_;
   CellTree& tree_;
   ErrorIndicator indicator_;
-  std::vector<Candidate> next_;
+  Generation next_;
   Oscillation known_oscillation_;  // of leaves that are no longer active
   Oscillation oscillation_;        // of this generation
   Subdivision result_;
@@ -439,23 +457,19 @@ class Subdivider {
 
 }  // namespace
 
-Subdivision subdivide(const ActiveLeaves& active, Oscillation known_oscillation,
-                      const CellLimits& limits, const SubdivisionGoal& goal, const Grid& grid,
-                      CellTree& tree) {
-  const auto& [leaves, counterexamples] = active;
+Subdivision subdivide(ActiveLeaves active, Oscillation known_oscillation, const CellLimits& limits,
+                      const SubdivisionGoal& goal, const Grid& grid, CellTree& tree) {
+  auto& [leaves, counterexamples] = active;
   Subdivider subdivider(counterexamples, limits, goal, grid, std::move(known_oscillation), tree);
-  std::vector<Candidate> candidates;
-  candidates.reserve(leaves.size());
-  for (const Leaf& leaf : leaves) {
-    candidates.push_back({leaf, {}, kInfinity, kInfinity});
-    candidates.back().leaf.followed_at = 0;
-  }
+  const std::size_t count = leaves.size();
+  Generation generation{std::move(leaves), std::vector<Origin>(count)};
+  for (Leaf& leaf : generation.leaves) leaf.followed_at = 0;
   for (std::uint32_t k = 0; k < counterexamples.size(); ++k) {
-    candidates[counterexamples[k].cell].counterexamples.push_back(k);
+    generation.origins[counterexamples[k].cell].counterexamples.push_back(k);
   }
   // One generation follows the one that finds poles: they may be on the sides of a few cells only.
-  for (bool has_poles = false; !candidates.empty(); has_poles = tree.has_poles()) {
-    subdivider.advance(candidates);
+  for (bool has_poles = false; !generation.leaves.empty(); has_poles = tree.has_poles()) {
+    subdivider.advance(generation);
     if (goal.until == Until::OneGeneration || (goal.until == Until::Poles && has_poles)) {
       break;
     }

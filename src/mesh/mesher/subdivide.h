@@ -45,8 +45,7 @@ struct ActiveLeaves {
 /// Halves active leaves in one direction at a time, until each one passes its error indicator and
 /// its counterexamples, or halving does not help. `known_oscillation`: of leaves that are not
 /// active.
-Subdivision subdivide(const ActiveLeaves& active, Oscillation known_oscillation,
-                      const CellLimits& limits, const SubdivisionGoal& goal, const Grid& grid,
-                      CellTree& tree);
+Subdivision subdivide(ActiveLeaves active, Oscillation known_oscillation, const CellLimits& limits,
+                      const SubdivisionGoal& goal, const Grid& grid, CellTree& tree);
 
 }  // namespace saddle

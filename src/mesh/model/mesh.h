@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -27,7 +28,16 @@ using Triangle = std::array<std::uint32_t, 3>;
 struct MeshContours {
   std::vector<dvec3> position;
   std::vector<dvec3> on_mesh;
+  std::vector<dvec3> normal;                      ///< of the triangles there, unit
   std::vector<std::vector<std::uint32_t>> lines;  ///< chains of vertices
+};
+
+/// The triangles of a solid, in their order: the copy of the surface in front of it, with its
+/// front outside; that behind it, with its back outside; walls between them.
+struct SolidParts {
+  std::size_t front = 0;  ///< how many
+  std::size_t back = 0;
+  std::size_t walls = 0;
 };
 
 struct Mesh {
@@ -50,6 +60,8 @@ struct Mesh {
   std::vector<std::vector<std::uint32_t>> lines;
 
   MeshContours contours;
+
+  std::optional<SolidParts> solid;  ///< of a surface with a thickness
 
   Bounds bounds;
   std::optional<dvec3> anchor;  ///< where its label stands, if there is one

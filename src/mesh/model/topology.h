@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "mesh/model/mesh.h"
 #include "mesh/model/mesh_report.h"
@@ -20,7 +22,16 @@ struct Topology {
   bool is_closed() const { return components > 0 && open_edges == 0 && shared_edges == 0; }
 };
 
-Topology topology(const Mesh& mesh);
+/// The parts of a mesh that share edges; one entry per triangle.
+struct Parts {
+  std::vector<std::uint32_t> first;   ///< the triangle that stands for the part
+  std::vector<std::uint8_t> turned;   ///< its winding is opposite to that triangle's
+  std::vector<std::uint8_t> is_open;  ///< of that triangle: an edge of the part has not two sides
+  std::vector<std::uint8_t> is_one_sided;  ///< of that triangle: the part is
+};
+
+/// `parts`: filled in, if given.
+Topology topology(const Mesh& mesh, Parts* parts = nullptr);
 
 /// Topology::orientable, at less cost. All triangles have the same winding in (u, v), so that only
 /// a reversed seam can make a surface one-sided.

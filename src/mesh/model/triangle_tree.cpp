@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
+
+#include "base/parallel.h"
 
 namespace saddle {
 namespace {
 
 constexpr std::uint32_t kLeafSize = 4;
+/// Pairs of nodes that are looked at by one thread each, about.
+constexpr std::size_t kTasks = 1024;
 
 double square(const dvec3& a) {
   return glm::dot(a, a);
@@ -85,6 +90,87 @@ void TriangleTree::build(std::span<Item> items) {
     nodes_[self].box.add(nodes_[child].box.low);
     nodes_[self].box.add(nodes_[child].box.high);
   }
+}
+
+bool TriangleTree::overlap(const NodePair& pair) const {
+  const Bounds& a = nodes_[pair.first].box;
+  const Bounds& b = nodes_[pair.second].box;
+  return glm::all(glm::lessThanEqual(a.low, b.high)) && glm::all(glm::lessThanEqual(b.low, a.high));
+}
+
+bool TriangleTree::are_leaves(const NodePair& pair) const {
+  return nodes_[pair.first].count > 0 && nodes_[pair.second].count > 0;
+}
+
+/// The pairs that a pair is made of, of those that overlap.
+void TriangleTree::add_halves(const NodePair& pair, std::vector<NodePair>& pairs) const {
+  const auto add = [&](std::uint32_t a, std::uint32_t b) {
+    if (a == b || overlap({a, b})) pairs.emplace_back(a, b);
+  };
+  const auto& [a, b] = pair;
+  if (a == b) {
+    add(a + 1, a + 1);
+    add(nodes_[a].first, nodes_[a].first);
+    add(a + 1, nodes_[a].first);
+    return;
+  }
+  const bool halve_first =
+      nodes_[b].count > 0 ||
+      (nodes_[a].count == 0 && nodes_[a].box.diagonal() >= nodes_[b].box.diagonal());
+  const std::uint32_t halved = halve_first ? a : b;
+  const std::uint32_t other = halve_first ? b : a;
+  add(halved + 1, other);
+  add(nodes_[halved].first, other);
+}
+
+std::size_t TriangleTree::count_pairs(const std::function<bool(std::uint32_t, std::uint32_t)>& test,
+                                      unsigned threads) const {
+  if (nodes_.empty()) return 0;
+  std::vector<NodePair> tasks = {{0, 0}};
+  for (bool has_grown = true; has_grown && tasks.size() < kTasks;) {
+    std::vector<NodePair> next;
+    has_grown = false;
+    for (const NodePair& pair : tasks) {
+      const bool is_whole = are_leaves(pair);
+      is_whole ? next.push_back(pair) : add_halves(pair, next);
+      has_grown = has_grown || !is_whole;
+    }
+    tasks = std::move(next);
+  }
+  const auto box_of = [&](std::uint32_t triangle) {
+    Bounds box;
+    for (const std::uint32_t corner : triangles_[triangle]) box.add(position_[corner]);
+    return box;
+  };
+  const auto count_in = [&](const NodePair& pair) {
+    const Node& a = nodes_[pair.first];
+    const Node& b = nodes_[pair.second];
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; i < a.count; ++i) {
+      const std::uint32_t t = order_[a.first + i];
+      const Bounds box = box_of(t);
+      for (std::uint32_t j = pair.first == pair.second ? i + 1 : 0; j < b.count; ++j) {
+        const std::uint32_t other = order_[b.first + j];
+        const Bounds its = box_of(other);
+        const bool meet = glm::all(glm::lessThanEqual(box.low, its.high)) &&
+                          glm::all(glm::lessThanEqual(its.low, box.high));
+        if (meet && test(t, other)) ++count;
+      }
+    }
+    return count;
+  };
+  std::atomic<std::size_t> total = 0;
+  parallel_chunks(tasks.size(), 1, threads, [&](std::size_t task, std::size_t) {
+    std::vector<NodePair> stack = {tasks[task]};
+    std::size_t count = 0;
+    while (!stack.empty()) {
+      const NodePair pair = stack.back();
+      stack.pop_back();
+      are_leaves(pair) ? void(count += count_in(pair)) : add_halves(pair, stack);
+    }
+    total += count;
+  });
+  return total;
 }
 
 double TriangleTree::distance(const dvec3& p, double known) const {

@@ -1,10 +1,14 @@
-// The distance of points from many triangles: a tree of boxes.
+// The distance of points from many triangles, and pairs of these that are near each other: a tree
+// of boxes.
 // Source: C. Ericson, "Real-time collision detection", 2005, 5.1.5 and chapter 6.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "mesh/model/mesh.h"
@@ -20,6 +24,11 @@ class TriangleTree {
   /// The distance of the nearest triangle, or `known` if none is nearer.
   double distance(const dvec3& p, double known = std::numeric_limits<double>::infinity()) const;
 
+  /// The number of pairs of triangles whose boxes overlap and that pass a test, which several
+  /// threads (0: all) call.
+  std::size_t count_pairs(const std::function<bool(std::uint32_t, std::uint32_t)>& test,
+                          unsigned threads) const;
+
  private:
   struct Node {
     Bounds box;
@@ -33,6 +42,11 @@ class TriangleTree {
     std::uint32_t triangle;
   };
   void build(std::span<Item> items);
+  /// Two nodes, or one with itself, whose boxes overlap.
+  using NodePair = std::pair<std::uint32_t, std::uint32_t>;
+  bool overlap(const NodePair& pair) const;
+  bool are_leaves(const NodePair& pair) const;
+  void add_halves(const NodePair& pair, std::vector<NodePair>& pairs) const;
 
   std::span<const dvec3> position_;
   std::span<const Triangle> triangles_;

@@ -66,15 +66,9 @@ void measure_gaps(const Surface& surface, const dvec2& largest_cell, double tole
   }
 }
 
-ProvedCells proved_cells(std::span<const Patch> patches, const Domain& domain) {
-  const dvec2 range = box_of(domain).size();
-  ProvedCells cells;
-  for (const Patch& patch : patches) {
-    const dvec2 size = patch.box.size();
-    cells.covered += size.x * size.y / (range.x * range.y);
-    cells.largest = glm::max(cells.largest, size);
-  }
-  return cells;
+void ProvedCells::add(const dvec2& size, const dvec2& range) {
+  covered += size.x * size.y / (range.x * range.y);
+  largest = glm::max(largest, size);
 }
 
 void report_proof(const Surface& surface, const ProvedCells& cells, unsigned threads,

@@ -11,12 +11,14 @@
 
 namespace saddle {
 
-/// The patches that a proof was tried for.
+/// The cells that a proof was tried for.
 struct ProvedCells {
   double covered = 0;  ///< share of the domain
   dvec2 largest{0};    ///< largest size each way; samples are no farther apart
+
+  /// Adds a cell of a domain that extends over `range`.
+  void add(const dvec2& size, const dvec2& range);
 };
-ProvedCells proved_cells(std::span<const Patch> patches, const Domain& domain);
 
 /// Fills in the sizes of disjoint gaps, and their worst places. The room is the distance by which
 /// bounds of the position over a box exceed five samples of it: its corners and its middle.

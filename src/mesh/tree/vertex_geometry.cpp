@@ -14,6 +14,15 @@
 
 namespace saddle {
 
+namespace {
+
+/// Vertices whose columns of results are kept at a time: 1.4 MB.
+constexpr std::size_t kEvaluatedAtATime = 1 << 14;
+/// An eighth of all vertices or fewer are few: for these, arrays grow by doubling.
+constexpr std::size_t kFewNew = 8;
+
+}  // namespace
+
 VertexGeometry::VertexGeometry(const Surface& surface, Grid& grid, DyadicVertices& vertices,
                                RevisionClock& revisions, Effort& effort, unsigned threads)
     : surface_(surface),
@@ -114,14 +123,20 @@ void VertexGeometry::append_grid(const DyadicVertices::Lines& lines, unsigned th
 
 void VertexGeometry::evaluate(unsigned threads) {
   if (evaluated_ == vertices_.size()) return;
+  // Arrays that grow by doubling would have room for up to twice as many.
+  if (kFewNew * (vertices_.size() - evaluated_) > vertices_.size()) reserve(vertices_.size());
   std::vector<double> u;
   std::vector<double> v;
-  for (std::size_t vertex = evaluated_; vertex < vertices_.size(); ++vertex) {
-    const dvec2 uv = vertices_.parameters(vertices_.place(static_cast<std::uint32_t>(vertex)));
-    u.push_back(uv.x);
-    v.push_back(uv.y);
+  for (std::size_t vertex = evaluated_; vertex < vertices_.size();) {
+    u.clear();
+    v.clear();
+    for (; vertex < vertices_.size() && u.size() < kEvaluatedAtATime; ++vertex) {
+      const dvec2 uv = vertices_.parameters(vertices_.place(static_cast<std::uint32_t>(vertex)));
+      u.push_back(uv.x);
+      v.push_back(uv.y);
+    }
+    append_places(u, v, threads);
   }
-  append_places(u, v, threads);
   finish_new(threads);
 }
 

@@ -11,7 +11,7 @@ namespace saddle {
 template <typename Delete>
 class GlName {
  public:
-  explicit GlName(GLuint name) : name_(name) {}
+  explicit GlName(GLuint name = 0) : name_(name) {}
   GlName(GlName&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
   GlName& operator=(GlName&& other) noexcept {
     std::swap(name_, other.name_);

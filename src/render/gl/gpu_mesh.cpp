@@ -80,6 +80,16 @@ void upload_colors(const Mesh& mesh) {
   glVertexAttribPointer(kColor, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
 }
 
+/// A buffer of two floats for each corner, as an attribute of the triangles' array, which is bound.
+void upload_pairs(std::span<const dvec2> pairs, Attribute attribute, const GlBuffer& buffer) {
+  const std::vector<glm::vec2> rounded(pairs.begin(), pairs.end());
+  glBindBuffer(GL_ARRAY_BUFFER, buffer.get());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(rounded.size() * sizeof(glm::vec2)),
+               rounded.data(), GL_STATIC_DRAW);
+  glEnableVertexAttribArray(attribute);
+  glVertexAttribPointer(attribute, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
 /// All chains in one list, a restart after each. GL leaves out the last pixel of a line, so that
 /// the next one may begin there: each chain goes back one step at its end.
 std::vector<GLuint> strip_indices(std::span<const std::vector<std::uint32_t>> lines) {
@@ -139,7 +149,8 @@ bool set_line_width(int samples) {
 GpuMesh::GpuMesh(const Mesh& mesh)
     : bounds_(mesh.bounds),
       frame_(model_frame(mesh.bounds)),
-      hides_its_back_(saddle::hides_its_back(mesh)),
+      solid_(mesh.solid),
+      hides_its_back_(!mesh.solid && saddle::hides_its_back(mesh)),
       triangle_array_(make_name<GlVertexArray>(glGenVertexArrays)),
       line_array_(make_name<GlVertexArray>(glGenVertexArrays)),
       vertices_(make_name<GlBuffer>(glGenBuffers)),
@@ -199,19 +210,20 @@ GpuMesh::Contours::Contours(const MeshContours& contours, const ModelFrame& fram
                strips.data(), GL_STATIC_DRAW);
 }
 
+void GpuMesh::set_texture_places(std::span<const dvec2> places) {
+  texture_places_.emplace(make_name<GlBuffer>(glGenBuffers));
+  glBindVertexArray(triangle_array_.get());
+  upload_pairs(places, kTexture, *texture_places_);
+}
+
 double GpuMesh::measure_trust(Program& program, std::span<const dvec2> uv) {
   const auto count = static_cast<GLsizei>(uv.size());
-  const std::vector<glm::vec2> rounded(uv.begin(), uv.end());
   parameters_.emplace(make_name<GlBuffer>(glGenBuffers));
   trust_.emplace(make_name<GlBuffer>(glGenBuffers));
   glBindVertexArray(triangle_array_.get());
-  glBindBuffer(GL_ARRAY_BUFFER, parameters_->get());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(rounded.size() * sizeof(glm::vec2)),
-               rounded.data(), GL_STATIC_DRAW);
-  glEnableVertexAttribArray(kParameters);
-  glVertexAttribPointer(kParameters, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+  upload_pairs(uv, kParameters, *parameters_);
 
-  std::vector<GLfloat> trust(rounded.size());
+  std::vector<GLfloat> trust(uv.size());
   const auto bytes = static_cast<GLsizeiptr>(trust.size() * sizeof(GLfloat));
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, trust_->get());
   glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STATIC_DRAW);
@@ -233,6 +245,13 @@ double GpuMesh::measure_trust(Program& program, std::span<const dvec2> uv) {
 void GpuMesh::draw_triangles() const {
   glBindVertexArray(triangle_array_.get());
   glDrawElements(GL_TRIANGLES, triangle_indices_, GL_UNSIGNED_INT, nullptr);
+}
+
+void GpuMesh::draw_triangles(std::size_t first, std::size_t count) const {
+  glBindVertexArray(triangle_array_.get());
+  // GL takes an offset into the buffer as a pointer.
+  const void* start = reinterpret_cast<const void*>(first * sizeof(Triangle));
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT, start);
 }
 
 void GpuMesh::draw_lines() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -45,8 +46,15 @@ class GpuMesh {
   /// Gives its corners their u and v, and what the program of trust_shader() finds out about each
   /// of them. Returns the share of corners that it trusts.
   double measure_trust(Program& program, std::span<const dvec2> uv);
+  /// The parts of a solid; nothing of a sheet.
+  const std::optional<SolidParts>& solid() const { return solid_; }
+  std::size_t triangle_count() const { return static_cast<std::size_t>(triangle_indices_) / 3; }
+  /// Gives its corners their places on a texture, 0 to 1 over the ranges of u and v.
+  void set_texture_places(std::span<const dvec2> places);
+  bool has_texture_places() const { return texture_places_.has_value(); }
   void draw_triangles() const;
-  std::size_t triangles() const { return static_cast<std::size_t>(triangle_indices_) / 3; }
+  /// So many of them, from one on.
+  void draw_triangles(std::size_t first, std::size_t count) const;
   void draw_lines() const;
   /// Its level lines; the second attribute of a vertex is its place on the triangles.
   void draw_contours() const;
@@ -62,6 +70,7 @@ class GpuMesh {
 
   Bounds bounds_;
   ModelFrame frame_;  ///< of the bounds
+  std::optional<SolidParts> solid_;
   bool hides_its_back_;
   std::optional<ColorRange> color_range_;
   GlVertexArray triangle_array_;
@@ -72,6 +81,7 @@ class GpuMesh {
   std::optional<GlBuffer> colors_;  ///< of the corners, 0 to 1 in that range, -1: undefined
   std::optional<GlBuffer> parameters_;
   std::optional<GlBuffer> trust_;
+  std::optional<GlBuffer> texture_places_;
   std::optional<Contours> contours_;
   GLsizei triangle_indices_ = 0;
   GLsizei line_indices_ = 0;

@@ -22,7 +22,8 @@ enum Attribute : GLuint {
   kColor = 3,
   kTrust = 4,
   kFarEnd = 5,
-  kOnMesh = 6
+  kOnMesh = 6,
+  kTexture = 7
 };
 
 class Program {

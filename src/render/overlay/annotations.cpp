@@ -314,20 +314,28 @@ Room room_for_annotations(const Scene& scene, const Bounds& box, std::span<const
   Room room;
   if (!scene.axes && !scene.show_title && scales.empty()) return room;
   const Annotator annotator(scene, {}, box, size);
-  dvec2 margin(0);
-  for (const ColorScale& scale : scales) margin.x += annotator.bar_zone(scale);
-  if (!scales.empty()) margin.y = annotator.below_bar_names();  // names are wider than their bars
+  double left = kPictureMargin * size.x;
+  double right = left;
+  double above = 0;
+  if (!scales.empty()) {
+    right = kPictureMargin / 2 * size.x;
+    for (const ColorScale& scale : scales) right += annotator.bar_zone(scale);
+    above = annotator.below_bar_names();  // names are wider than their bars
+  }
   if (scene.axes && !box.empty()) {
     const dvec2 axes = annotator.axes_margin();
+    left = std::max(left, axes.x);
     // Long labels are at the left.
-    margin = {std::max(axes.x, margin.x + axes.x / 2), std::max(axes.y, margin.y)};
+    right = scales.empty() ? left : right + axes.x / 2;
+    above = std::max(above, axes.y);
   }
   if (scene.show_title && Annotator::has_title(scene)) {
-    margin.y = std::max(margin.y, annotator.title_zone());
+    above = std::max(above, annotator.title_zone());
   }
-  if (!scales.empty()) margin.x += kPictureMargin / 2 * size.x;
-  room.across = std::clamp(1 - 2 * margin.x / size.x, kLeastRoom, room.across);
-  room.down = std::clamp(1 - 2 * margin.y / size.y, kLeastRoom, room.down);
+  room.across = std::max(1 - (left + right) / size.x, kLeastRoom);
+  room.down = std::clamp(1 - 2 * above / size.y, kLeastRoom, room.down);
+  const double most = 1 - room.across;
+  room.middle = std::clamp((left - right) / size.x, -most, most);
   return room;
 }
 

@@ -109,4 +109,27 @@ TextBitmap Font::draw(const std::string& text, double size) const {
   return bitmap;
 }
 
+std::vector<OutlinePiece> Font::outlines(const std::string& text, double size) const {
+  std::vector<OutlinePiece> pieces;
+  const double line = std::round(kAbove * size);
+  const double scale = face_->scale(size);
+  face_->walk(text, size, [&](int glyph, double pen) {
+    const auto place = [&](int x, int y) { return dvec2(pen + scale * x, line - scale * y); };
+    stbtt_vertex* vertices = nullptr;
+    const int count = stbtt_GetGlyphShape(&face_->info, glyph, &vertices);
+    for (int i = 0; i < count; ++i) {
+      const stbtt_vertex& v = vertices[i];
+      OutlinePiece piece{OutlinePiece::Kind::Line, place(v.x, v.y)};
+      if (v.type == STBTT_vmove) piece.kind = OutlinePiece::Kind::Move;
+      if (v.type == STBTT_vcurve) {
+        piece.kind = OutlinePiece::Kind::Curve;
+        piece.control = place(v.cx, v.cy);
+      }
+      pieces.push_back(piece);
+    }
+    stbtt_FreeShape(&face_->info, vertices);
+  });
+  return pieces;
+}
+
 }  // namespace saddle

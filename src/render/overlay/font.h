@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/vec.h"
+
 namespace saddle {
 
 /// A line of text as shares of pixels, 0 to 255, rows from the top.
@@ -14,6 +16,14 @@ struct TextBitmap {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> coverage;
+};
+
+/// A piece of a letter's outline. A curve is a parabola.
+struct OutlinePiece {
+  enum class Kind { Move, Line, Curve };
+  Kind kind = Kind::Move;
+  dvec2 to;
+  dvec2 control{0, 0};  ///< of a curve
 };
 
 /// DejaVu Sans, not hinted, with kerning. Characters that it does not have are boxes.
@@ -35,6 +45,10 @@ class Font {
 
   /// The line in a bitmap of just that size, rounded up.
   TextBitmap draw(const std::string& text, double size) const;
+
+  /// Its outlines where draw() has it, in pixels from the bitmap's upper left, y down; each begins
+  /// with a move, and is closed. Ink is all that they wind round.
+  std::vector<OutlinePiece> outlines(const std::string& text, double size) const;
 
  private:
   struct Face;

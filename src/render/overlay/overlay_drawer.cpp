@@ -20,12 +20,12 @@ constexpr std::size_t kMostTexts = 512;
 /// Samples of the framebuffer, from its lower left, of a place in the picture.
 dvec2 sample_of(const dvec2& pixel, const Viewport& v) {
   return dvec2(pixel.x - v.rect.x + v.margin, v.rect.y + v.rect.height + v.margin - pixel.y) *
-         static_cast<double>(v.per_side);
+         v.per_side;
 }
 
 dvec3 clip_of(const dvec2& sample, const Viewport& v) {
   const dvec2 size(v.rect.width + 2 * v.margin, v.rect.height + 2 * v.margin);
-  return {2.0 * sample / (size * static_cast<double>(v.per_side)) - 1.0, 0};
+  return {2.0 * sample / (size * v.per_side) - 1.0, 0};
 }
 
 Program make_program(const char* fragment) {

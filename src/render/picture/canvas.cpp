@@ -1,44 +1,116 @@
 #include "render/picture/canvas.h"
 
+#include <algorithm>
 #include <cassert>
-#include <tuple>
 
 #include "render/gl/gl.h"
 
 namespace saddle {
+namespace {
 
-void Canvas::draw(Renderer& renderer, const Scene& scene, const FittedCamera& camera,
-                  const Look& look, const PictureSettings& picture) {
-  const auto [width, height, n] = std::tuple(picture.width, picture.height, picture.antialias);
-  assert(n == 1 || n == 2);
-  if (!target_ || width != picture_.width || height != picture_.height || n != picture_.antialias) {
-    target_.reset();  // first the old one: there need not be memory for both
-    target_.emplace(width * n, height * n);
+/// While it lives, nothing outside of a rectangle of samples is cleared or drawn.
+class Scissors {
+ public:
+  Scissors(int x, int y, int width, int height) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(x, y, width, height);
   }
-  picture_ = picture;
-  target_->bind();
-  renderer.draw(scene, camera, {width, height, {0, 0, width, height}, 0, n}, look);
+  ~Scissors() { glDisable(GL_SCISSOR_TEST); }
+  Scissors(const Scissors&) = delete;
+  Scissors& operator=(const Scissors&) = delete;
+};
+
+}  // namespace
+
+/// Binds it, too.
+void Canvas::Samples::fit(const Viewport& viewport) {
+  per_side = viewport.per_side;
+  if (!target || viewport.samples_across() > width || viewport.samples_down() > height) {
+    width = std::max(width, viewport.samples_across());
+    height = std::max(height, viewport.samples_down());
+    target.reset();  // first the old one: there need not be memory for both
+    target.emplace(width, height);
+  }
+  target->bind();
+}
+
+Viewport Canvas::whole(double per_side) const {
+  return {width_, height_, {0, 0, width_, height_}, 0, per_side};
+}
+
+void Canvas::draw(Renderer& renderer, const DrawnView& view, int width, int height, double per_side,
+                  int finest) {
+  assert(finest == 1 || finest == 2);
+  if (width != width_ || height != height_) {
+    for (Samples* const samples : {&fine_, &coarse_}) *samples = Samples();
+  }
+  width_ = width;
+  height_ = height;
+  finest_ = finest;
+  parts_.clear();
+  is_coarse_ = per_side < finest;
+  const Viewport viewport = whole(per_side);
+  (is_coarse_ ? coarse_ : fine_).fit(viewport);
+  const Scissors scissors(0, 0, viewport.samples_across(), viewport.samples_down());
+  renderer.draw(view.scene, view.camera, viewport, view.look);
   glFinish();
 }
 
-/// Linear filtering of two by two samples to one takes their mean.
+void Canvas::draw_part(Renderer& renderer, const DrawnView& view, const PixelRect& part) {
+  const int n = finest_;
+  fine_.fit(whole(n));
+  const int bottom = height_ - (part.y + part.height);
+  const Scissors scissors(n * part.x, n * bottom, n * part.width, n * part.height);
+  renderer.draw(view.scene, view.camera, whole(n), view.look);
+  glFinish();
+  add_part(part);
+}
+
+/// Parts that stand side by side are one, and so are whole rows of them.
+void Canvas::add_part(const PixelRect& part) {
+  const auto joins = [](const PixelRect& a, const PixelRect& b) {
+    return a.y == b.y && a.height == b.height && a.x + a.width == b.x;
+  };
+  if (!parts_.empty() && joins(parts_.back(), part)) {
+    parts_.back().width += part.width;
+  } else {
+    parts_.push_back(part);
+  }
+  if (parts_.size() < 2 || parts_.back().width != width_) return;
+  parts_[parts_.size() - 2].height += parts_.back().height;
+  parts_.pop_back();
+}
+
+/// To the window. Linear filtering of two by two samples to one takes their mean.
+void Canvas::copy(const Samples& from, const PixelRect& part, int x, int y) const {
+  const auto sample = [&](int pixel) { return static_cast<int>(from.per_side * pixel); };
+  const int bottom = height_ - (part.y + part.height);
+  const int top = bottom + part.height;
+  const int right = part.x + part.width;
+  from.target->bind_for_reading();
+  glBlitFramebuffer(sample(part.x), sample(bottom), std::max(1, sample(right)),
+                    std::max(1, sample(top)), x + part.x, y + bottom, x + right, y + top,
+                    GL_COLOR_BUFFER_BIT, from.per_side == 1 ? GL_NEAREST : GL_LINEAR);
+}
+
 void Canvas::show(int x, int y) const {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
-  if (!target_) return;
-  target_->bind_for_reading();
-  const int n = picture_.antialias;
-  glBlitFramebuffer(0, 0, n * picture_.width, n * picture_.height, x, y, x + picture_.width,
-                    y + picture_.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  const Samples& samples = is_coarse_ ? coarse_ : fine_;
+  if (!samples.target) return;
+  copy(samples, {0, 0, width_, height_}, x, y);
+  for (const PixelRect& part : parts_) {
+    if (is_coarse_) copy(fine_, part, x, y);
+  }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 Image Canvas::read() const {
-  if (!target_) return {};
-  Image image(picture_.width, picture_.height);
-  target_->bind();
-  target_->read(0, 0, picture_.antialias, false, {0, 0, picture_.width, picture_.height}, image);
+  if (!fine_.target || is_coarse_) return {};
+  Image image(width_, height_);
+  fine_.target->bind();
+  fine_.target->read(0, 0, finest_, false, {0, 0, width_, height_}, image);
   return image;
 }
 

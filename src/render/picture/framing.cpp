@@ -67,7 +67,8 @@ using Samples = std::vector<std::shared_ptr<const Sampled>>;
 Samples sample_all(const Scene& scene, const Samples& last, std::size_t cells, unsigned threads) {
   Samples samples;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    const bool known = i < last.size() && !last[i]->moves;
+    const bool known = i < last.size() && !last[i]->moves &&
+                       last[i]->thickness == thickness_of(scene, scene.surfaces[i]);
     samples.push_back(known ? last[i]
                             : std::make_shared<const Sampled>(
                                   sample(scene, scene.surfaces[i],

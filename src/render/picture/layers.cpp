@@ -75,13 +75,8 @@ std::size_t layers_worth(std::size_t triangles, int width, int height) {
 
 }  // namespace
 
-Layers::Layers(int width, int height)
-    : width_(width),
-      height_(height),
-      color_(make_texture(kColorFormat, width, height)),
-      front_(make_texture(kColorFormat, width, height)),
-      depth_{make_texture(GL_R32F, width, height), make_texture(GL_R32F, width, height)},
-      nearest_(make_name<GlRenderbuffer>(glGenRenderbuffers)),
+Layers::Layers()
+    : nearest_(make_name<GlRenderbuffer>(glGenRenderbuffers)),
       depth_buffers_{make_name<GlFramebuffer>(glGenFramebuffers),
                      make_name<GlFramebuffer>(glGenFramebuffers)},
       color_buffer_(make_name<GlFramebuffer>(glGenFramebuffers)),
@@ -91,11 +86,30 @@ Layers::Layers(int width, int height)
       peel_(std::string(shader_source("unlit.vert.glsl")),
             std::string(shader_source("peel.frag.glsl"))),
       under_(layer_program({})),
-      over_(layer_program({"LAST"})) {
+      over_(layer_program({"LAST"})) {}
+
+void Layers::fit(int width, int height) {
+  width_ = width;
+  height_ = height;
+  if (width <= most_width_ && height <= most_height_) return;
+  most_width_ = std::max(width, most_width_);
+  most_height_ = std::max(height, most_height_);
+  make_buffers();
+}
+
+void Layers::make_buffers() {
+  const auto texture = [&](GLint format) {
+    return make_texture(format, most_width_, most_height_);
+  };
+  // First the old ones: there need not be memory for both.
+  for (GlTexture* old : {&color_, &front_, &depth_[0], &depth_[1]}) *old = GlTexture();
+  color_ = texture(kColorFormat);
+  front_ = texture(kColorFormat);
+  depth_ = {texture(GL_R32F), texture(GL_R32F)};
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   glBindRenderbuffer(GL_RENDERBUFFER, nearest_.get());
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, most_width_, most_height_);
   attach_all(depth_buffers_[0], depth_[0]);
   attach_all(depth_buffers_[1], depth_[1]);
   attach_all(color_buffer_, color_);
@@ -109,8 +123,8 @@ void Layers::attach_all(const GlFramebuffer& framebuffer, const GlTexture& textu
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, nearest_.get());
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
   throw Error(Status::Machine,
-              "OpenGL cannot draw see-through surfaces into " + std::to_string(width_) + "x" +
-                  std::to_string(height_) + " samples",
+              "OpenGL cannot draw see-through surfaces into " + std::to_string(most_width_) + "x" +
+                  std::to_string(most_height_) + " samples",
               {}, "try a smaller --size, --antialias 1 or --opacity 1");
 }
 

@@ -16,14 +16,14 @@ namespace saddle {
 /// Layers behind each other that are drawn, at the most: each is a picture of its own.
 inline constexpr std::size_t kMostLayers = 1000;
 
-/// Needs a current context.
+/// Needs a current context. Scissors hold for layers, too.
 class Layers {
  public:
-  /// Layers have `width` x `height` samples. Throws Error (Machine) if OpenGL cannot draw into as
-  /// much.
-  Layers(int width, int height);
+  Layers();
 
-  bool has_size(int width, int height) const { return width == width_ && height == height_; }
+  /// Layers have `width` x `height` samples from now on; buffers that are larger stay. Throws Error
+  /// (Machine) if OpenGL cannot draw into as much.
+  void fit(int width, int height);
 
   /// Draws the surfaces with the program of peel(), which tells layers apart; and with their own,
   /// lit, where the depth of the layer at hand is: its colour, and as alpha its opacity.
@@ -40,6 +40,7 @@ class Layers {
   std::size_t draw(const Surfaces& surfaces);
 
  private:
+  void make_buffers();
   void attach_all(const GlFramebuffer& framebuffer, const GlTexture& texture) const;
   /// From there to the bound framebuffer.
   void copy(GLuint framebuffer, GLbitfield what) const;
@@ -48,8 +49,10 @@ class Layers {
   void put_under();
   void put_over(GLuint framebuffer);
 
-  int width_;
-  int height_;
+  int width_ = 0;
+  int height_ = 0;
+  int most_width_ = 0;  ///< that there is room for
+  int most_height_ = 0;
   GlTexture color_;                 ///< of a layer, with its opacity
   GlTexture front_;                 ///< of the layers so far, multiplied by their opacity
   std::array<GlTexture, 2> depth_;  ///< of a layer and the one before, in turns

@@ -87,8 +87,12 @@ std::string PictureMaker::renderer() const {
   return gpu_->context->name();
 }
 
-std::string PictureMaker::shader_texts() const {
-  return gpu_->renderer.shader_texts();
+const std::vector<SurfaceProgram>& PictureMaker::surface_programs() const {
+  return gpu_->renderer.surface_programs();
+}
+
+const std::map<std::size_t, bool>& PictureMaker::culled() const {
+  return gpu_->renderer.culled();
 }
 
 std::vector<std::string> PictureMaker::warnings() const {
@@ -134,9 +138,19 @@ Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
   result.image = maker.draw_in_tiles(scene, meshes, options, tile_samples);
   result.times = maker.times();
   result.renderer = maker.renderer();
-  result.shaders = maker.shader_texts();
+  for (const SurfaceProgram& program : maker.surface_programs()) {
+    result.shaders += program.text.vertex + program.text.fragment;
+  }
   result.warnings = maker.warnings();
   return result;
+}
+
+Image render_surfaces(const Scene& scene, std::span<const Mesh> meshes, const FittedCamera& camera,
+                      const PictureSettings& options, Backend backend) {
+  const std::unique_ptr<Context> context = make_context(backend);
+  Renderer renderer;
+  for (std::size_t i = 0; i < meshes.size(); ++i) renderer.set_surface(scene, i, meshes[i]);
+  return draw_image(renderer, scene, camera, options, kTileSamples, {.bare = true});
 }
 
 Rendering render(const Scene& scene, std::span<const Mesh> meshes, const PictureSettings& options,

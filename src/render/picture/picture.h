@@ -1,6 +1,8 @@
 // A scene and its meshes become a picture.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -9,6 +11,8 @@
 #include "base/image.h"
 #include "mesh/model/mesh.h"
 #include "render/gl/context.h"
+#include "render/shading/surface_program.h"
+#include "scene/model/camera.h"
 #include "scene/model/scene.h"
 
 namespace saddle {
@@ -48,8 +52,11 @@ class PictureMaker {
 
   /// The sum over all calls so far.
   const RenderTimes& times() const { return times_; }
-  std::string renderer() const;      ///< "osmesa" ...
-  std::string shader_texts() const;  ///< the programs that were made for the surfaces
+  std::string renderer() const;  ///< "osmesa" ...
+  /// The programs that the surfaces were drawn with.
+  const std::vector<SurfaceProgram>& surface_programs() const;
+  /// Whether the last picture left out the back faces of a surface, by its number.
+  const std::map<std::size_t, bool>& culled() const;
   /// Differences of the pictures from what was asked for.
   std::vector<std::string> warnings() const;
 
@@ -64,7 +71,7 @@ struct Rendering {
   Image image;
   RenderTimes times;
   std::string renderer;               ///< "osmesa" ...
-  std::string shaders;                ///< the programs that were made for the surfaces, as text
+  std::string shaders;                ///< the programs of the surfaces, as text
   std::vector<std::string> warnings;  ///< in which ways it is not what was asked for
 };
 
@@ -76,6 +83,10 @@ Rendering render(const Scene& scene, std::span<const Mesh> meshes, const Picture
 Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
                           const PictureSettings& options, int tile_samples,
                           Backend backend = Backend::Any);
+
+/// The surfaces alone, seen by this camera: no lines, no curves, nothing written.
+Image render_surfaces(const Scene& scene, std::span<const Mesh> meshes, const FittedCamera& camera,
+                      const PictureSettings& options, Backend backend);
 
 /// A maker that has warmed up, entered by no thread. For a thread beside tessellation, which takes
 /// about as long.

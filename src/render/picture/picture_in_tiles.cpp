@@ -42,7 +42,7 @@ FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, con
 }
 
 Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& camera,
-                 const PictureSettings& options, int tile_samples) {
+                 const PictureSettings& options, int tile_samples, const Look& look) {
   const int n = options.antialias;
   const int margin = tile_margin(widest_line(scene, dvec2(options.width, options.height)));
   const Tiling tiling = split_picture(options.width, options.height, n, tile_samples, margin);
@@ -51,7 +51,7 @@ Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& cam
   Image image(options.width, options.height);
   Activity tiles("tile", tiling.tiles.size());
   for (const PixelRect& tile : tiling.tiles) {
-    renderer.draw(scene, camera, {options.width, options.height, tile, margin, n});
+    renderer.draw(scene, camera, {options.width, options.height, tile, margin, double(n)}, look);
     target.read(margin * n, margin * n, n, opaque, tile, image);
     tiles.advance();
   }

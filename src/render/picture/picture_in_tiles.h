@@ -19,6 +19,7 @@ FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, con
 /// Draws a picture off screen, at most `tile_samples` samples a side at once, and reads it back.
 /// Leaves another framebuffer bound than there was.
 Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& camera,
-                 const PictureSettings& options, int tile_samples = kTileSamples);
+                 const PictureSettings& options, int tile_samples = kTileSamples,
+                 const Look& look = {});
 
 }  // namespace saddle

@@ -12,12 +12,14 @@
 #include <glm/common.hpp>
 
 #include "base/error.h"
+#include "render/picture/drawn_parts.h"
 #include "render/picture/tiles.h"
 #include "render/shading/normal_shader.h"
 #include "render/shading/shader_materials.h"
 #include "render/shading/shaders.h"
 #include "render/shading/surface_shader.h"
 #include "scene/model/strokes.h"
+#include "scene/model/texture.h"
 #include "scene/model/theme.h"
 
 namespace saddle {
@@ -63,9 +65,14 @@ void Renderer::set_mesh(std::size_t surface, const Mesh& mesh) {
 
 void Renderer::set_surface(const Scene& scene, std::size_t surface, const Mesh& mesh) {
   set_mesh(surface, mesh);
-  const bool exact = shading_of(scene, scene.surfaces[surface]) == Shading::Exact;
+  const SurfaceSpec& spec = scene.surfaces[surface];
+  if (spec.texture && !mesh.triangles.empty()) {
+    meshes_[surface].set_texture_places(texture_places(scene, spec, mesh.uv));
+  }
+  const bool exact = shading_of(scene, spec) == Shading::Exact;
   if (!exact || mesh.triangles.empty()) return;
   ShaderNormal formula = shader_normal(scene, scene.surfaces[surface]);
+  if (mesh.solid) formula.obstacle = "the formula has no normal of the walls of a solid";
   if (!formula.obstacle) {
     Program& trust = program(trust_shader(formula), "trust_in_formula");
     trust.use();
@@ -113,13 +120,17 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   const PixelRect& rect = viewport.rect;
   const glm::dmat4 to_rect = clip_to_rect(viewport.width, viewport.height, rect, viewport.margin);
   std::vector<PlacedMesh> items = items_of(scene, camera, unit, look);
+  culled_.clear();
+  for (const PlacedMesh& item : items) {
+    const auto [known, is_first] = culled_.try_emplace(item.surface, !item.two_sided);
+    if (!is_first) known->second &= !item.two_sided;
+  }
   for (PlacedMesh& item : items) item.model_to_clip = to_rect * item.model_to_clip;
   const std::vector<ShaderLight> lights = shader_lights(scene, camera, unit);
   scales_ = scales_of(scene);
 
-  const int n = viewport.per_side;
   const int line = samples_across(widest_surface_line(scene, viewport.size()), viewport);
-  glViewport(0, 0, n * (rect.width + 2 * viewport.margin), n * (rect.height + 2 * viewport.margin));
+  glViewport(0, 0, viewport.samples_across(), viewport.samples_down());
   std::vector<PlacedMesh> hiding;
   std::vector<PlacedMesh> see_through;
   for (const PlacedMesh& item : items) {
@@ -127,8 +138,11 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     if (item.opacity > 0 && item.opacity < 1) see_through.push_back(item);
   }
   if (scene.box) bounds.add(*scene.box);
-  const Annotations annotations = annotate(scene, camera, bounds, scales_, viewport.size(),
-                                           stroke_drawer_.labels(scene, camera, viewport.size()));
+  Annotations annotations;
+  if (!look.bare) {
+    annotations = annotate(scene, camera, bounds, scales_, viewport.size(),
+                           stroke_drawer_.labels(scene, camera, viewport.size()));
+  }
   unknown_letters_ = annotations.unknown;
   const dvec3 ink = ink_of(scene);
   Color background = scene.background;
@@ -138,9 +152,11 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   clear(background);
   glEnable(GL_DEPTH_TEST);
   draw_surfaces(scene, hiding, lights, line, look);
-  if (look.lines) line_drawer_.draw_lines(scene, items, meshes_, viewport);
-  if (has_contours()) line_drawer_.draw_contours(scene, items, meshes_, viewport);
-  stroke_drawer_.draw(scene, meshes_, {camera, viewport, unit});
+  if (!look.bare) {
+    if (look.lines) line_drawer_.draw_lines(scene, items, meshes_, viewport);
+    if (has_contours()) line_drawer_.draw_contours(scene, items, meshes_, viewport);
+    stroke_drawer_.draw(scene, meshes_, {camera, viewport, unit});
+  }
   if (marks_) {
     PlacedMesh item({}, *marks_, camera, unit);
     item.model_to_clip = to_rect * item.model_to_clip;
@@ -150,7 +166,7 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   if (!see_through.empty()) {
     const double least = std::ranges::min(see_through, {}, &PlacedMesh::opacity).opacity;
     std::size_t triangles = 0;
-    for (const PlacedMesh& item : see_through) triangles += meshes_[item.surface].triangles();
+    for (const PlacedMesh& item : see_through) triangles += meshes_[item.surface].triangle_count();
     const std::size_t cut_after = layers(viewport).draw(
         {[&](Program& peel) { draw_depths(see_through, peel, line, look); },
          [&] { draw_surfaces(scene, see_through, lights, line, look); }, least, triangles});
@@ -170,12 +186,8 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
 }
 
 Layers& Renderer::layers(const Viewport& viewport) {
-  const int width = viewport.per_side * (viewport.rect.width + 2 * viewport.margin);
-  const int height = viewport.per_side * (viewport.rect.height + 2 * viewport.margin);
-  if (!layers_ || !layers_->has_size(width, height)) {
-    layers_.reset();  // first the old ones: there need not be memory for both
-    layers_.emplace(width, height);
-  }
+  if (!layers_) layers_.emplace();
+  layers_->fit(viewport.samples_across(), viewport.samples_down());
   return *layers_;
 }
 
@@ -206,10 +218,21 @@ std::vector<std::string> Renderer::warnings() const {
   return all;
 }
 
-std::string Renderer::shader_texts() const {
-  std::string all;
-  for (const auto& [text, program] : programs_) all += text;
-  return all;
+/// The program for a surface, which is noted.
+Program& Renderer::surface_program(const ShaderNeeds& needs, const std::string& surface) {
+  const ShaderText text = assemble_surface_shader(needs);
+  const auto is_it = [&](const SurfaceProgram& known) {
+    return known.text.vertex == text.vertex && known.text.fragment == text.fragment;
+  };
+  auto known = std::ranges::find_if(surface_programs_, is_it);
+  if (known == surface_programs_.end()) {
+    surface_programs_.push_back({text, {}, parts_left_out(needs)});
+    known = surface_programs_.end() - 1;
+  }
+  if (std::ranges::find(known->surfaces, surface) == known->surfaces.end()) {
+    known->surfaces.push_back(surface);
+  }
+  return program(text);
 }
 
 bool Renderer::has_lines() const {
@@ -247,6 +270,13 @@ void Renderer::set_color(Program& program, const Scene& scene, std::size_t surfa
   program.set("color_scale", place_on(scale, range.high) - first);
   program.set_texture("colormap", 0);
   colormaps_.bind(scale.colormap);
+}
+
+void Renderer::set_texture(Program& program, const SurfaceSpec& surface) {
+  program.set("texture_scale", dvec3(texture_scale(surface), 1));
+  if (!surface.texture.picture) return;
+  program.set_texture("picture", 0);
+  pictures_.bind(surface.texture);
 }
 
 /// Faces are pushed back by the depth they have across half a line's width, at which a sample of
@@ -309,8 +339,9 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
   add_light_needs(lights, lit);
   Program* program = nullptr;
   ShaderNeeds made_for;
-  for (const PlacedMesh& item : items) {
-    const SurfaceSpec& surface = scene.surfaces[item.surface];
+  for (const DrawnPart& part : parts_of(scene, items, meshes_)) {
+    const PlacedMesh& item = *part.item;
+    const SurfaceSpec& surface = part.surface;
     const Shading shading = shading_of(scene, surface);
     const bool is_unlit = shading == Shading::Unlit;
     if (is_unlit && !first) continue;
@@ -322,10 +353,13 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
     needs.normal_matrix = !item.is_similar;
     const auto& formula = normals_[item.surface].formula;
     needs.normal = shading == Shading::Exact && formula ? &*formula : nullptr;
+    if (surface.texture && meshes_[item.surface].has_texture_places()) {
+      needs.textured = surface.texture.picture ? TextureUse::Picture : TextureUse::Checker;
+    }
     needs.colored = meshes_[item.surface].color_range() && !surface.color.empty();
     add_material_needs(surface, first, needs);
     if (program == nullptr || needs != made_for) {
-      program = &this->program(assemble_surface_shader(needs));
+      program = &surface_program(needs, surface.name);
       program->use();
       set_lights(*program, is_unlit ? Lights() : lights, needs);
       made_for = needs;
@@ -338,11 +372,12 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
     }
     if (needs.see_through) program->set("opacity", item.opacity);
     if (needs.colored) set_color(*program, scene, item.surface);
+    if (needs.textured != TextureUse::None) set_texture(*program, surface);
     set_materials(*program, surface, needs);
     program->check_all_set();
     glFrontFace(item.mirrored ? GL_CW : GL_CCW);
     item.two_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
-    meshes_[item.surface].draw_triangles();
+    meshes_[item.surface].draw_triangles(part.first, part.count);
   }
   glFrontFace(GL_CCW);
   glDisable(GL_CULL_FACE);

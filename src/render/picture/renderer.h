@@ -19,8 +19,9 @@
 #include "render/picture/placed_mesh.h"
 #include "render/picture/stroke_drawer.h"
 #include "render/shading/colormap_textures.h"
+#include "render/shading/picture_textures.h"
 #include "render/shading/shader_lights.h"
-#include "render/shading/shader_text.h"
+#include "render/shading/surface_program.h"
 #include "scene/model/camera.h"
 #include "scene/model/color_scale.h"
 #include "scene/model/scene.h"
@@ -31,6 +32,7 @@ namespace saddle {
 struct Look {
   bool lines = true;       ///< the surfaces' grid lines
   bool wireframe = false;  ///< the edges of the triangles in place of the triangles
+  bool bare = false;       ///< the surfaces alone: no lines, no curves, nothing written
 };
 
 /// Needs the same current context from the first to the last of its calls.
@@ -61,8 +63,12 @@ class Renderer {
   /// Differences of the pictures so far from what was asked for.
   std::vector<std::string> warnings() const;
 
-  /// The sources of all programs that were made to draw surfaces, for people to read.
-  std::string shader_texts() const;
+  /// The programs that surfaces have been drawn with, in the order of their first use.
+  const std::vector<SurfaceProgram>& surface_programs() const { return surface_programs_; }
+
+  /// Whether the back faces of a surface, by its number, were culled in all places of the last
+  /// drawing.
+  const std::map<std::size_t, bool>& culled() const { return culled_; }
 
  private:
   /// How a surface's normals are computed in Shading::Exact.
@@ -85,8 +91,10 @@ class Renderer {
                    const Look& look);
   std::vector<ColorScale> scales_of(const Scene& scene) const;
   void set_color(Program& program, const Scene& scene, std::size_t surface);
+  void set_texture(Program& program, const SurfaceSpec& surface);
   void draw_surfaces(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
                      int line_width, const Look& look);
+  Program& surface_program(const ShaderNeeds& needs, const std::string& surface);
   void draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights, bool first);
 
   std::size_t lights_at_once_ = 0;
@@ -96,7 +104,10 @@ class Renderer {
   std::vector<Normals> normals_;  // of each
   std::optional<GpuMesh> marks_;
   std::map<std::string, Program> programs_;  // for surfaces, by their text
+  std::vector<SurfaceProgram> surface_programs_;
+  std::map<std::size_t, bool> culled_;
   ColormapTextures colormaps_;
+  PictureTextures pictures_;
   std::vector<ColorScale> scales_;  // of the scene that is being drawn
   std::optional<Layers> layers_;
   std::size_t layers_drawn_ = 0;  ///< where others were left out behind them; else 0

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 #include "base/numbers.h"
@@ -9,6 +12,7 @@
 #include "eval/tape.h"
 #include "mesh/grid/grid.h"
 #include "meshing/clip_box.h"
+#include "meshing/thickness.h"
 #include "scene/model/strokes.h"
 
 namespace saddle {
@@ -25,18 +29,36 @@ void clip_poles(const Bounds& coarse, Sampled& surface) {
   if (surface.has_poles) surface.keep_to(clip_box(surface.bounds, surface.positions));
 }
 
-/// The corners of octahedra round a curve's points in place of the balls that make its tube.
-void add_tube(double radius, Sampled& curve) {
+/// The corners of polyhedra round points in place of the balls that make a curve's tube, or hold a
+/// surface's solid.
+void add_balls(double radius, std::span<const dvec3> corners, Sampled& around) {
   if (radius == 0) return;
-  const std::vector<dvec3> middles = std::exchange(curve.positions, {});
+  const std::vector<dvec3> middles = std::exchange(around.positions, {});
   for (const dvec3& middle : middles) {
-    for (int k = 0; k < 6; ++k) {
-      dvec3 p = middle;
-      p[k / 2] += k % 2 == 0 ? radius : -radius;
-      curve.positions.push_back(p);
-      curve.bounds.add(p);
+    for (const dvec3& corner : corners) {
+      const dvec3 p = middle + radius * corner;
+      around.positions.push_back(p);
+      around.bounds.add(p);
     }
   }
+}
+
+/// A tube is thin: an octahedron is as good as a ball.
+constexpr std::array kOctahedron = {dvec3(1, 0, 0),  dvec3(-1, 0, 0), dvec3(0, 1, 0),
+                                    dvec3(0, -1, 0), dvec3(0, 0, 1),  dvec3(0, 0, -1)};
+
+/// The directions of a cube's faces and of its corners, so far out that the unit ball is inside.
+std::array<dvec3, 14> around_ball() {
+  // A face has two corners of the cube, (1, 1, +-1) / sqrt(3), and the middle (1, 0, 0) of a face:
+  // its plane is x + (sqrt(3) - 1) y = 1, at a distance of 1 over this from the origin.
+  const double out = std::hypot(1.0, std::sqrt(3.0) - 1);
+  std::array<dvec3, 14> corners{};
+  for (std::size_t k = 0; k < 6; ++k) corners[k] = out * kOctahedron[k];
+  for (std::size_t k = 0; k < 8; ++k) {
+    const dvec3 corner((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1);
+    corners[6 + k] = out / std::sqrt(3.0) * corner;
+  }
+  return corners;
 }
 
 }  // namespace
@@ -67,6 +89,7 @@ Sampled sample(const Scene& scene, const SurfaceSpec& spec, BoundSurface bound, 
   evaluate_grid(compile(bound.graph, bound.r), u, v, outputs, threads);
   Sampled result;
   result.moves = bound.moves;
+  result.thickness = thickness_of(scene, spec);
   Bounds coarse;
   for (std::size_t i = 0; i < xyz[0].size(); ++i) {
     const dvec3 p(xyz[0][i], xyz[1][i], xyz[2][i]);
@@ -80,7 +103,11 @@ Sampled sample(const Scene& scene, const SurfaceSpec& spec, BoundSurface bound, 
   } else if (scene.clip.automatic) {
     clip_poles(coarse, result);
   }
-  if (spec.curve) add_tube(stroke_radius(scene, spec), result);
+  if (spec.curve) add_balls(stroke_radius(scene, spec), kOctahedron, result);
+  if (!result.positions.empty()) {
+    const double longest = largest_of(result.bounds.size());
+    add_balls(reach_of_solid(scene, spec, longest), around_ball(), result);
+  }
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "base/bounds.h"
@@ -15,7 +16,8 @@ struct Sampled {
   std::vector<dvec3> positions;
   Bounds bounds;
   bool moves = false;
-  bool has_poles = false;  ///< as it seems
+  std::optional<Thickness> thickness = {};  ///< with which it was sampled
+  bool has_poles = false;                   ///< as it seems
 
   void keep_to(const Bounds& box);
 };

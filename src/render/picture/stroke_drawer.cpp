@@ -56,10 +56,9 @@ bool StrokeDrawer::has_strokes() const {
 
 void StrokeDrawer::draw(const Scene& scene, std::span<const GpuMesh> meshes, const Screen& screen) {
   const auto& [camera, viewport, unit] = screen;
-  const int n = viewport.per_side;
+  const double n = viewport.per_side;
   const PixelRect& rect = viewport.rect;
-  const double margin = 2.0 * viewport.margin;
-  const dvec2 samples = static_cast<double>(n) * dvec2(rect.width + margin, rect.height + margin);
+  const dvec2 samples(viewport.samples_across(), viewport.samples_down());
   for (const Instance& instance : instances(scene)) {
     const auto& strokes = strokes_[instance.surface];
     const SurfaceSpec& surface = scene.surfaces[instance.surface];

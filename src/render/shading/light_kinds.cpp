@@ -54,6 +54,7 @@ constexpr auto kLightKinds = std::to_array<LightKind>({
      .function = "smooth_spot_light",
      .reads_attenuation = true,
      .is_cone = true,
+     .is_smooth = true,
      .has = [](const Light& light, const ShaderLight&,
                bool) { return is_spot(light) && is_smooth(*light.spot); }},
 });

@@ -17,7 +17,8 @@ struct LightKind {
   const char* function;  ///< its argument is the light's index in the uniform arrays
   /// It reads light_attenuation where some light of the scene has an attenuation.
   bool reads_attenuation = false;
-  bool is_cone = false;  ///< it reads spot_direction and spot_edge
+  bool is_cone = false;    ///< it reads spot_direction and spot_edge
+  bool is_smooth = false;  ///< a cone with a smooth edge
   /// Whether a light is of this kind; each light is of one kind alone. `perspective`: the direction
   /// to the eye is that to its place.
   bool (*has)(const Light& light, const ShaderLight& uniforms, bool perspective);

@@ -139,6 +139,14 @@ bool is_black(const dvec3& color) {
   return color == dvec3(0);
 }
 
+bool is_lit(const Scene& scene) {
+  const auto is_unlit = [&](const SurfaceSpec& spec) {
+    return shading_of(scene, spec) == Shading::Unlit;
+  };
+  if (scene.surfaces.empty()) return scene.picture.shading != Shading::Unlit;
+  return !std::ranges::all_of(scene.surfaces, is_unlit);
+}
+
 bool is_grey(const dvec3& color) {
   return color.r == color.g && color.g == color.b;
 }
@@ -162,17 +170,19 @@ bool has_cone(const ShaderNeeds& needs) {
   return std::ranges::any_of(needs.lights, &LightKind::is_cone);
 }
 
+bool shines(const Light& light) {
+  const bool is_dark = is_black(clamped_rgb(light.color)) && is_black(clamped_rgb(light.ambient)) &&
+                       (!light.specular || is_black(clamped_rgb(*light.specular)));
+  return light.enabled != 0 && !is_dark;
+}
+
 std::vector<ShaderLight> shader_lights(const Scene& scene, const FittedCamera& camera,
                                        double unit) {
   const Frames frames(scene, camera);
   std::vector<ShaderLight> result;
-  if (scene.picture.shading == Shading::Unlit) return result;
+  if (!is_lit(scene)) return result;
   for (const Light& light : scene.lights) {
-    if (light.enabled == 0) continue;
-    const ShaderLight values = shader_light(light, frames, unit, !scene.camera.ortho);
-    const bool dark =
-        is_black(values.color) && is_black(values.highlight) && is_black(values.ambient);
-    if (!dark) result.push_back(values);
+    if (shines(light)) result.push_back(shader_light(light, frames, unit, !scene.camera.ortho));
   }
   std::ranges::stable_sort(result, {}, &ShaderLight::kind);
   return result;

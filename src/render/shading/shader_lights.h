@@ -15,8 +15,11 @@
 
 namespace saddle {
 
-/// The lights of a resolved scene that shine, sorted by kind; none if it is unlit. `unit`: what the
-/// shaders' lengths are measured in.
+/// The light of a resolved scene is on, and not black.
+bool shines(const Light& light);
+
+/// The lights of a resolved scene that shine, sorted by kind; none if no surface is lit. `unit`:
+/// what the shaders' lengths are measured in.
 std::vector<ShaderLight> shader_lights(const Scene& scene, const FittedCamera& camera, double unit);
 
 /// Some light is a spot light.

@@ -34,12 +34,13 @@ bool same(const Material& a, const Material& b) {
 void set_material(Program& program, const std::string& side, const Material& material,
                   const ShaderNeeds& needs) {
   const bool lit = !needs.lights.empty();
-  if (!needs.colored) program.set(side + "_diffuse", rgb(material.diffuse));
+  const bool has_own_color = needs.colored || needs.textured == TextureUse::Picture;
+  if (!has_own_color) program.set(side + "_diffuse", rgb(material.diffuse));
   if (lit && needs.specular) {
     program.set(side + "_specular", rgb(material.specular));
     program.set(side + "_shininess", material.shininess);
   }
-  if (lit && needs.ambient && !needs.colored)
+  if (lit && needs.ambient && !has_own_color)
     program.set(side + "_ambient", rgb(ambient(material)));
   if (needs.emission) program.set(side + "_emission", rgb(material.emission));
 }
@@ -47,16 +48,17 @@ void set_material(Program& program, const std::string& side, const Material& mat
 }  // namespace
 
 void add_material_needs(const SurfaceSpec& surface, bool emission, ShaderNeeds& needs) {
+  const bool has_own_color = needs.colored || needs.textured == TextureUse::Picture;
   if (needs.unlit) {
     needs.two_materials =
-        needs.two_sided && !needs.colored && !same(surface.front.diffuse, surface.back.diffuse);
+        needs.two_sided && !has_own_color && !same(surface.front.diffuse, surface.back.diffuse);
     return;
   }
   needs.specular =
       !is_black(surface.front.specular) || (needs.two_sided && !is_black(surface.back.specular));
   needs.emission =
       emission && (!is_black(surface.front.emission) || !is_black(surface.back.emission));
-  const bool is_same = needs.colored ? same_but_for_colors(surface.front, surface.back)
+  const bool is_same = has_own_color ? same_but_for_colors(surface.front, surface.back)
                                      : same(surface.front, surface.back);
   needs.two_materials = needs.two_sided && !is_same;
 }

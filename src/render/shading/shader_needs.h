@@ -8,6 +8,9 @@
 
 namespace saddle {
 
+/// Where the diffuse colour comes from in place of the material.
+enum class TextureUse { None, Picture, Checker };
+
 /// Decides the shaders' text; nothing else changes it.
 struct ShaderNeeds {
   std::vector<const LightKind*> lights;  ///< in the order of light_kinds()
@@ -27,7 +30,8 @@ struct ShaderNeeds {
   bool colored = false;        ///< each point has a colour of its own, in place of the materials'
   bool normal_matrix = false;  ///< the model is not only turned, moved and scaled evenly
   const ShaderNormal* normal = nullptr;  ///< the formula for normals; none: they are interpolated
-  bool see_through = false;              ///< it is drawn in layers, with others behind
+  TextureUse textured = TextureUse::None;
+  bool see_through = false;  ///< it is drawn in layers, with others behind
 
   bool operator==(const ShaderNeeds&) const = default;
 };

@@ -46,6 +46,9 @@ std::vector<std::string> names_of(const ShaderNeeds& needs) {
   add(needs.orthographic, "ORTHOGRAPHIC");
   add(needs.colored, "COLORED");
   add(needs.normal_matrix, "NORMAL_MATRIX");
+  add(needs.textured != TextureUse::None, "TEXTURED");
+  add(needs.textured == TextureUse::Picture, "PICTURE");
+  add(needs.textured == TextureUse::Checker, "CHECKER");
   add(needs.see_through, "SEE_THROUGH");
   add(needs.normal != nullptr, "EXACT");
   return names;
@@ -87,11 +90,47 @@ std::string lighting(const ShaderNeeds& needs, const std::vector<std::string>& n
   const std::string type = needs.grey ? "float" : "vec3";
   replace(text, "#define RGB_OR_GREY " + type + "\n", "");
   replace(text, "RGB_OR_GREY", type);
+  replace(text, "#define MATT color\n", "");
+  replace(text, "MATT is `matt`\n// with a texture, else `color`.",
+          "Diffuse light is apart\n// with a texture.");
+  replace(text, "MATT", needs.textured == TextureUse::None ? "color" : "matt");
   replace(text, "[LIGHT_COUNT]", "[" + std::to_string(needs.lights.size()) + "]");
   return text;
 }
 
 }  // namespace
+
+std::vector<std::string> parts_left_out(const ShaderNeeds& needs) {
+  std::vector<std::string> parts;
+  const auto add = [&parts](bool left_out, const char* text) {
+    if (left_out) parts.emplace_back(text);
+  };
+  const bool lit = !needs.lights.empty();
+  const bool cone = has_cone(needs);
+  add(needs.unlit, "unlit: no lights, no highlights, no emission");
+  add(!needs.unlit && !lit, "no light is on: no lighting");
+  add(lit && needs.lights.size() <= kWrittenOut, "few lights: no loop over them");
+  add(lit && needs.grey, "no light has a hue: a number for each in place of a colour");
+  add(lit && !cone, "no spot light: no cone test");
+  add(cone && !needs.focus, "no spot light has an exponent: no power of its cosine");
+  add(lit && !needs.attenuation, "no light is weaker from afar: no distance and no attenuation");
+  add(lit && !needs.ambient, "no light has an ambient part: no ambient term");
+  add(lit && !needs.specular, "the material mirrors nothing: no specular term");
+  add(lit && needs.specular && !needs.highlights,
+      "no light has another colour for highlights: one colour for each");
+  add(!needs.unlit && !needs.emission, "the material does not shine by itself: no emission");
+  add(!needs.two_sided, "nobody can see the back: no second side, back faces are culled");
+  add(needs.two_sided && !needs.two_materials, "both sides look alike: one material");
+  add(!needs.colored, "the materials' colours: no lookup in a colour map");
+  add(needs.textured == TextureUse::None, "no texture: no lookup in a picture");
+  add(!needs.normal_matrix, "turned, moved and scaled evenly: no matrix for normals");
+  add(needs.per_vertex, "lit per vertex: no light in the fragment shader");
+  add(!needs.per_vertex && needs.normal == nullptr,
+      "normals are interpolated: no formula for them in the fragment shader");
+  add(!needs.see_through, "it hides what is behind it: no opacity");
+  add(needs.orthographic, "parallel projection: one direction to the eye");
+  return parts;
+}
 
 ShaderText assemble_surface_shader(const ShaderNeeds& needs) {
   const std::vector<std::string> names = names_of(needs);

@@ -6,6 +6,8 @@
 #include "formula/lexer.h"
 #include "scene/model/assignments.h"
 #include "scene/model/bind_stroke.h"
+#include "scene/model/choices.h"
+#include "scene/model/object_names.h"
 #include "scene/model/prepare.h"
 #include "scene/model/theme.h"
 #include "scene/options/lights.h"
@@ -13,6 +15,7 @@
 #include "scene/options/resolve.h"
 #include "scene/toml/scene_file.h"
 #include "scene/toml/toml_reader.h"
+#include "scene/toml/toml_writer.h"
 
 namespace saddle {
 namespace {
@@ -26,6 +29,56 @@ struct Definitions {
   std::vector<Slider>& sliders;
 };
 
+/// Names of choices: at least two, all different, none of them a number or empty.
+std::vector<std::string> read_choices(TomlReader& reader, const std::string& subject,
+                                      const TomlValue& value) {
+  constexpr const char* kWanted = "names, such as [\"sun\", \"lamp\"]";
+  if (value.kind != Kind::Array) throw reader.source().wrong_type(subject, value, kWanted);
+  std::vector<std::string> names;
+  for (const TomlValue& item : value.items) {
+    const std::string name = reader.text(subject, item, kWanted);
+    const bool is_known = std::ranges::find(names, name) != names.end();
+    if (name.empty() || is_toml_number(name) || is_known) {
+      throw reader.source().error(subject,
+                                  is_known ? "'" + name + "' is there twice"
+                                           : "'" + name + "' cannot be the name of a choice",
+                                  item.span, "for example choices = [\"sun\", \"lamp\"]");
+    }
+    names.push_back(name);
+  }
+  if (names.size() < 2) {
+    throw reader.source().error(subject, "a choice is between two names or more", value.span,
+                                "for example choices = [\"sun\", \"lamp\"]");
+  }
+  return names;
+}
+
+/// The table of a parameter with a slider or with choices.
+Slider read_slider(TomlReader& reader, const std::string& key, const std::string& name,
+                   const TomlValue& table) {
+  const TomlValue* const choices = table.find("choices");
+  reader.source().check_keys(
+      key, table,
+      choices == nullptr ? std::vector<std::string>{"value", "min", "max", "step", "choices"}
+                         : std::vector<std::string>{"value", "choices"});
+  for (const char* needed : {"value", "min", "max"}) {
+    const bool is_needed = choices == nullptr || std::string_view(needed) == "value";
+    if (!is_needed || table.find(needed) != nullptr) continue;
+    throw reader.source().error(
+        key, std::string("'") + needed + "' is missing", table.span,
+        "for example { value = 1, min = 0, max = 2 } or { value = 0, choices = [\"a\", \"b\"] }");
+  }
+  Slider slider{.name = meant_name(key)};
+  if (choices != nullptr) {
+    set_choices(slider, read_choices(reader, name + ": choices", *choices));
+    return slider;
+  }
+  slider.min = reader.number(name + ": min", *table.find("min"));
+  slider.max = reader.number(name + ": max", *table.find("max"));
+  with(table, "step", [&](const TomlValue& v) { slider.step = reader.number(name + ": step", v); });
+  return slider;
+}
+
 void read_params(TomlReader& reader, const TomlValue& table, const Definitions& to) {
   if (table.kind != Kind::Table) throw reader.source().wrong_type("params", table, "a table");
   for (const TomlEntry& entry : table.entries) {
@@ -33,25 +86,17 @@ void read_params(TomlReader& reader, const TomlValue& table, const Definitions& 
     const TomlValue& value = entry.value;
     const TomlValue* formula = &value;
     if (value.kind == Kind::Table) {
-      reader.source().check_keys(key, value, {"value", "min", "max"});
-      for (const char* needed : {"value", "min", "max"}) {
-        if (value.find(needed) != nullptr) continue;
-        throw reader.source().error(key, std::string("'") + needed + "' is missing", value.span,
-                                    "for example { value = 1, min = 0, max = 2 }");
-      }
+      to.sliders.push_back(read_slider(reader, key, to.prefix + key, value));
       formula = value.find("value");
-      const std::string name = to.prefix + key;
-      to.sliders.push_back({meant_name(key), reader.number(name + ": min", *value.find("min")),
-                            reader.number(name + ": max", *value.find("max"))});
     }
     const std::string text = reader.formula(to.prefix + key, *formula);
     reader.note("argument", key + "=" + text, entry.key_span);
-    const Definition definition =
-        reader.in_place([&] { return parse_definition(key + "=" + text); });
+    Definition definition = reader.in_place([&] { return parse_definition(key + "=" + text); });
     if (definition.name != meant_name(key)) {
       throw reader.source().error("", "'" + key + "' is not a name", entry.key_span,
                                   "functions go into [functions]");
     }
+    reader.in_place([&] { take_choice(to.sliders, to.definitions, definition); }, to.prefix);
     to.definitions.push_back(definition);
   }
 }
@@ -230,6 +275,7 @@ Scene read_tables(TomlReader& reader, const TomlValue& root, const std::optional
     throw reader.source().error("", "the scene has no [[surface]], [[curve]] or [[point]]", {0, 0},
                                 "saddle show torus prints a scene");
   }
+  number_names(scene);
   return scene;
 }
 

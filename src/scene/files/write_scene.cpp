@@ -16,8 +16,15 @@ std::string parameter(const Definition& d, const std::vector<Slider>& sliders) {
   if (slider == sliders.end()) return value;
   InlineTable table;
   table.add("value", value);
+  if (!slider->choices.empty()) {
+    table.add("choices", toml_names(slider->choices));
+    return table.text();
+  }
   table.add("min", toml_number(slider->min));
   table.add("max", toml_number(slider->max));
+  if (slider->step != 0 || !slider->step.text.empty()) {
+    table.add("step", toml_number(slider->step));
+  }
   return table.text();
 }
 

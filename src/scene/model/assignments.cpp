@@ -13,14 +13,12 @@
 #include "base/nearest.h"
 #include "formula/language.h"
 #include "formula/lexer.h"
+#include "scene/model/choices.h"
 
 namespace saddle {
 namespace {
 
 /// Names with a meaning of their own; they cannot be helper functions.
-bool is_coordinate(const std::string& name) {
-  return name == "x" || name == "y" || name == "z";
-}
 bool is_usual_parameter(const std::string& name) {
   return name == "u" || name == "v" || name == "t";
 }
@@ -139,10 +137,11 @@ void file(Scene& scene, const Definition& definition) {
     (*parameter == 0 ? spec.u : spec.v) = parse_range(definition);
   } else if (is_coordinate(name) || name == "where") {
     SurfaceSpec& spec = last_surface(scene);
-    (name == "x"   ? spec.x
-     : name == "y" ? spec.y
-     : name == "z" ? spec.z
-                   : spec.where) = definition.text;
+    (name == "x"     ? spec.x
+     : name == "y"   ? spec.y
+     : name == "z"   ? spec.z
+     : name == "xyz" ? spec.xyz
+                     : spec.where) = definition.text;
   } else if (name == "t") {
     set_time(scene, definition);
   } else {
@@ -214,7 +213,10 @@ std::string fault_of_parameter(const std::string& name) {
   if (!is_name(name)) return "'" + name + "' is not a name";
   if (name == "where") return "'where' is the condition of a surface";
   if (name == "t") return "t is the time, not a parameter of a surface";
-  if (find_built_in(name) != nullptr) return "'" + name + "' is a function of the language";
+  if (name == "xyz") return "'xyz' is the position of a surface";
+  const BuiltIn* const function = find_built_in(name);
+  if (function != nullptr && !can_be_hidden(*function))
+    return "'" + name + "' is a function of the language";
   return "";
 }
 
@@ -320,7 +322,7 @@ std::vector<std::string> names_of(const Scene& scene) {
     if (std::ranges::find(parameters, name) == parameters.end()) names.emplace_back(name);
   }
   names.insert(names.end(), parameters.begin(), parameters.end());
-  names.insert(names.end(), {"t", "where"});
+  names.insert(names.end(), {"t", "where", "xyz"});
   return names;
 }
 
@@ -348,9 +350,10 @@ Error unknown_override(const Scene& scene, const std::string& assignment) {
 }
 
 void override_assignment(Scene& scene, const std::string& assignment) {
-  const Definition definition = parse_definition(assignment);
+  Definition definition = parse_definition(assignment);
   const std::string& name = definition.name;
   if (!has_name(scene, name)) throw unknown_override(scene, assignment);
+  take_choice(scene.sliders, scene.definitions, definition);
   if (scene.surfaces.size() > 1 && is_of_surface(definition)) {
     throw Error(Status::Input, "each of the scene's surfaces has its own '" + name + "'",
                 {"argument", assignment, name_span(assignment)},

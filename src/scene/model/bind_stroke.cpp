@@ -55,7 +55,8 @@ class StrokeParser {
   StrokeParser(Graph& graph, const Scene& scene, const std::string& parameter)
       : graph_(graph),
         scene_(scene),
-        scope_(graph, scene.definitions, {.parameters = {parameter, ""}, .lazy = true}) {}
+        scope_(graph, scene.definitions,
+               {.parameters = {parameter, ""}, .lazy = true, .keeps_time = scene.keeps_time}) {}
 
   Scope& scope() { return scope_; }
   bool moves() const { return moves_; }
@@ -140,6 +141,8 @@ BoundSurface bind_point(const Scene& scene, const PointSpec& spec) {
                                          across * of(Op::Sin, kSymbolU), r * of(Op::Sin, kSymbolV)};
   for (std::size_t k = 0; k < 3; ++k) result.r[k] = (Expression{&graph, at[k]} + out[k]).id;
   result.domain = {0, 2 * std::numbers::pi, -std::numbers::pi / 2, std::numbers::pi / 2};
+  result.ends = {graph.constant(result.domain.u0), graph.constant(result.domain.u1),
+                 graph.constant(result.domain.v0), graph.constant(result.domain.v1)};
   result.moves = parser.moves();
   return result;
 }
@@ -159,6 +162,8 @@ BoundCurve bind_curve(const Scene& scene, const CurveSpec& spec) {
                          parser.parse("z", spec.z)};
   if (spec.radius) parser.number("radius", *spec.radius);
   result.r = parser.place(spec, r);
+  const std::vector<NodeId> bound = parser.scope().bind(ends, scene.t);
+  result.ends = {bound[0], bound[1]};
   result.moves = parser.moves() || std::ranges::any_of(ends, [&](NodeId end) {
                    return depends(graph, end, kDependsT);
                  });
@@ -176,6 +181,7 @@ BoundSurface bind_as_surface(const Scene& scene, const CurveSpec& spec) {
   result.graph = std::move(curve.graph);
   result.r = curve.r;
   result.domain = {curve.from, curve.to, 0, 1};
+  result.ends = {curve.ends[0], curve.ends[1], result.graph.constant(0), result.graph.constant(1)};
   result.moves = curve.moves;
   return result;
 }

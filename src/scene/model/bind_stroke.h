@@ -14,7 +14,8 @@ struct BoundCurve {
   Graph graph;
   std::array<NodeId, 3> r = {};
   double from = 0, to = 1;  ///< the range of s
-  bool moves = false;       ///< it is another one at another time
+  std::array<NodeId, 2> ends = {};
+  bool moves = false;  ///< it is another one at another time
 };
 
 /// Parses a curve at the scene's time. The formulas of one on a surface are that surface's, with

@@ -99,6 +99,7 @@ double distance_of_sphere(double radius, const Camera& camera, double aspect) {
 ViewPyramid::ViewPyramid(const Camera& camera, double aspect, const dvec3& origin, const Room& room)
     : axes_(camera_axes(camera)),
       origin_(origin),
+      room_(room),
       slopes_(slope_of(camera) * dvec2(aspect * room.across, room.down)),
       is_prism_(camera.ortho),
       high_(-std::numeric_limits<double>::infinity()),
@@ -138,7 +139,7 @@ void ViewPyramid::add(const Bounds& bounds) {
 
 bool ViewPyramid::fits(const ViewPyramid& other) const {
   return axes_ == other.axes_ && origin_ == other.origin_ && slopes_ == other.slopes_ &&
-         is_prism_ == other.is_prism_;
+         room_.middle == other.room_.middle && is_prism_ == other.is_prism_;
 }
 
 void ViewPyramid::join(const ViewPyramid& other) {
@@ -216,8 +217,9 @@ glm::dmat4 view_matrix(const Axes& axes, const dvec3& eye) {
   return m;
 }
 
-/// `half_height`: half the visible height, at distance 1 in perspective.
-glm::dmat4 projection(const FittedCamera& fitted, double half_height, double aspect, bool ortho) {
+/// `half_height`: half the visible height, at distance 1 in perspective. `middle`: the room's.
+glm::dmat4 projection(const FittedCamera& fitted, double half_height, double aspect, bool ortho,
+                      double middle) {
   const double n = fitted.near_plane;
   const double f = fitted.far_plane;
   glm::dmat4 m(0);
@@ -227,6 +229,7 @@ glm::dmat4 projection(const FittedCamera& fitted, double half_height, double asp
   m[2][3] = ortho ? 0 : -1;
   m[3][2] = ortho ? -(f + n) / (f - n) : -2 * f * (n / (f - n));
   m[3][3] = ortho ? 1 : 0;
+  for (int column = 0; column < 4; ++column) m[column][0] += middle * m[column][3];
   return m;
 }
 
@@ -250,6 +253,7 @@ FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspec
                         const ViewPyramid* seen) {
   check_camera(camera);
   const Axes axes = camera_axes(camera);
+  const double middle = seen != nullptr ? seen->room().middle : 0;
   ViewPyramid corners(camera, aspect, bounds.centre());
   if (!seen || seen->empty()) {
     corners.add(bounds);
@@ -271,7 +275,7 @@ FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspec
   fit_depth(fitted, bounds, axes[2], camera.ortho);
   fitted.half_height = slope_of(camera) / camera.zoom * fitted.distance;
   fitted.eye_to_clip = projection(fitted, fitted.half_height / (camera.ortho ? 1 : fitted.distance),
-                                  aspect, camera.ortho);
+                                  aspect, camera.ortho, middle);
   return fitted;
 }
 

@@ -26,11 +26,14 @@ struct FittedCamera {
 /// Left free on each side of a picture, as a share of its width or height.
 inline constexpr double kPictureMargin = 0.04;
 
-/// The part of a picture that the drawn surface may take, as shares of the width and the height, in
-/// the middle. The rest is margin, or for what is written.
+/// The part of a picture that the drawn surface may take, as shares of the width and the height.
+/// The rest is margin, or for what is written.
 struct Room {
   double across = 1 - 2 * kPictureMargin;
   double down = 1 - 2 * kPictureMargin;
+  /// Its middle, from the picture's to the right, as a share of half the width. The camera's axis
+  /// meets the picture there: the surface looks as in a picture of the room alone.
+  double middle = 0;
 };
 
 /// The least pyramid around points that has its axis along a camera's view and the shape of its
@@ -45,15 +48,16 @@ class ViewPyramid {
   void add(const Bounds& bounds);
   bool holds(const dvec3& point) const;
   bool empty() const { return low_depth_ > high_depth_; }
+  const Room& room() const { return room_; }
 
   /// Whether the other one is for the same view, so that both can be joined.
   bool fits(const ViewPyramid& other) const;
   /// Around the points of both, which have the same view and origin.
   void join(const ViewPyramid& other);
 
-  /// The point in the middle of the points' depths that the picture's middle shows.
+  /// The point in the middle of the points' depths that the room's middle shows.
   dvec3 target() const;
-  /// The distance from there, or from another point in the picture's middle, at which the points
+  /// The distance from there, or from another point in the room's middle, at which the points
   /// just fill the room; 0 if there is none, as for a single point.
   double distance() const;
   double distance_from(const dvec3& target) const;
@@ -70,6 +74,7 @@ class ViewPyramid {
 
   std::array<dvec3, 3> axes_;  // to the right, up and toward the eye
   dvec3 origin_;
+  Room room_;
   dvec2 slopes_;  // of the pyramid's faces
   bool is_prism_;
   dvec2 high_, low_;  // the largest offsets
@@ -78,8 +83,8 @@ class ViewPyramid {
 
 /// Fits `camera` to what is in `bounds` (not empty) in a picture of width/height `aspect`. A target
 /// and a distance that it leaves open are those at which `seen` fills its room (not given: the
-/// box's corners); near and far enclose the box, whatever the distance. An up vector along the view
-/// is replaced by one that is not.
+/// box's corners); near and far enclose the box, whatever the distance. The target is drawn in the
+/// middle of that room. An up vector along the view is replaced by one that is not.
 /// Throws Error (Input) for a view or up vector of length 0, a distance or zoom that is not
 /// positive, a fov outside (0, 180).
 FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect,

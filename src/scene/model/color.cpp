@@ -178,6 +178,8 @@ Color from_bytes(std::uint32_t rgb, std::uint32_t alpha = 255) {
   return {channel(rgb >> 16), channel(rgb >> 8), channel(rgb), channel(alpha)};
 }
 
+constexpr const char* kColors = "a colour is #rrggbb or a CSS colour name";
+
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
@@ -187,8 +189,7 @@ std::string lower(std::string text) {
 std::string hex_digits(const std::string& option, const std::string& text) {
   for (std::size_t i = 1; i < text.size(); ++i) {
     if (std::isxdigit(static_cast<unsigned char>(text[i])) == 0) {
-      throw Error(Status::Input, "not a hexadecimal digit", {option, text, {i, i + 1}},
-                  "a colour is #rrggbb, #rrggbbaa or a CSS colour name");
+      throw Error(Status::Input, "not a hexadecimal digit", {option, text, {i, i + 1}}, kColors);
     }
   }
   std::string digits = text.substr(1);
@@ -197,13 +198,13 @@ std::string hex_digits(const std::string& option, const std::string& text) {
   }
   if (digits.size() == 6 || digits.size() == 8) return digits;
   throw Error(Status::Input, "a colour has 3, 6 or 8 hexadecimal digits",
-              {option, text, {0, text.size()}}, "for example #ffff80, or #ffff8040 with opacity");
+              {option, text, {0, text.size()}}, "for example #ffff80");
 }
 
 [[noreturn]] void throw_unknown_color(const std::string& option, const std::string& text) {
   std::vector<std::string> names = {"transparent"};
   for (const NamedColor& named : kNamedColors) names.emplace_back(named.name);
-  std::string hint = "a colour is #rrggbb, #rrggbbaa or a CSS colour name";
+  std::string hint = kColors;
   if (const auto nearest = nearest_name(text, names)) hint += "; did you mean '" + *nearest + "'?";
   throw Error(Status::Input, "unknown colour '" + text + "'", {option, text, {0, text.size()}},
               hint);

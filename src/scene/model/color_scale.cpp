@@ -24,7 +24,7 @@ std::vector<ColorScale> color_scales(const Scene& scene,
   std::vector<ColorScale> scales;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const SurfaceSpec& spec = scene.surfaces[i];
-    if (!ranges[i] || spec.color.empty()) continue;
+    if (!ranges[i] || spec.color.empty() || !spec.visible) continue;
     const auto known = find_scale(spec, scales);
     if (known == scales.end()) {
       scales.push_back({spec.color, spec.colormap, *ranges[i], spec.color_ends});

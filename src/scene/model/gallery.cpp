@@ -37,6 +37,13 @@ constexpr Clip within(const dvec3& low, const dvec3& high) {
 // NOLINTNEXTLINE(readability-function-size): all of it is data
 const auto& entries() {
   static const auto kEntries = std::to_array<GalleryEntry>({
+      {.name = "eck-default",
+       .description = "egg-box waves, the first scene of Eck's function grapher",
+       .assignments = "x=u y=2*sin(u)*cos(2*v) z=v u=-6:6 v=-6:6",
+       .camera = grapher_camera(),
+       .flip = true,
+       .size = GridSize{500, 500}},
+
       // Quadrics and surfaces of revolution.
       {"sphere", "sphere of radius r",
        "x=r*cos(u)*cos(v) y=r*sin(u)*cos(v) z=r*sin(v) u=0:2*pi v=-pi/2:pi/2 r=1"},
@@ -103,6 +110,9 @@ const auto& entries() {
        "z=2*cosh(2*u)*cos(2*v) u=0.05:1 v=0:2*pi"},
       {"catalan", "Catalan's minimal surface: its geodesic is a cycloid",
        "x=u-cosh(v)*sin(u) y=1-cos(u)*cosh(v) z=4*sin(u/2)*sinh(v/2) u=-2*pi:2*pi v=-1.5:1.5"},
+      {"richmond", "Richmond's minimal surface, from Weierstrass's formula",
+       "xyz=(re(-1/w-w^3/3)/2,re(i*(w^3/3-1/w))/2,re(w)) w=u*e^(i*v) u=0.5:1.3 v=0:2*pi",
+       from({2, -3, 3})},
       {"bour", "Bour's minimal surface of three petals",
        "x=u*cos(v)-u^2*cos(2*v)/2 y=-u*sin(v)-u^2*sin(2*v)/2 z=4/3*u^1.5*cos(1.5*v) u=0:1 "
        "v=0:4*pi",
@@ -122,7 +132,9 @@ const auto& entries() {
        "i(p,q,k)=exp(pi*(1-k*k)/4)*cos(k*pi*p)*sinh(k*pi*q)",
        from({2, -2, 1.2}), within({-3, -3, -3}, {3, 3, 3})},
 
-      // Constant negative curvature.
+      // No curvature, and constant negative curvature.
+      {"tangent-developable", "tangents of a helix of pitch 2*pi*b",
+       "xyz=c(u)+v*diff(c(u),u) c(s)=(cos(s),sin(s),b*s) u=0:4*pi v=0:2 b=0.25"},
       {"pseudosphere", "tractrix turned around its axis: curvature -1/a^2",
        "x=a*cos(u)/cosh(v) y=a*sin(u)/cosh(v) z=a*(v-tanh(v)) u=0:2*pi v=-3:3 a=1"},
       {"dini", "twisted pseudosphere: curvature -1/(1+b^2)",
@@ -181,6 +193,9 @@ const auto& entries() {
       {"riemann-asin", "Riemann surface of the arc sine",
        "x=sin(u)*cosh(v) y=cos(u)*sinh(v) z=u u=-pi:pi v=-1.5:1.5"},
 
+      {"sine-modulus", "relief of the absolute value of sin(u + i*v)",
+       "z=abs(sin(u+i*v)) u=-pi:pi v=-1.5:1.5", from({2, -3, 2})},
+
       // Tubes, shells and other bodies.
       {"bohemian-dome", "an ellipse carried along another",
        "x=a*cos(u) y=b*cos(v)+a*sin(u) z=c*sin(v) u=0:2*pi v=0:2*pi a=0.5 b=1.5 c=1"},
@@ -199,6 +214,10 @@ const auto& entries() {
        "tx=diff(cx,u) ty=diff(cy,u) tz=diff(cz,u) ax=diff(tx,u) ay=diff(ty,u) az=diff(tz,u) "
        "p=ty*az-tz*ay q=tz*ax-tx*az s=tx*ay-ty*ax B=sqrt(p^2+q^2+s^2) bx=p/B by=q/B bz=s/B "
        "T=sqrt(tx^2+ty^2+tz^2) nx=(by*tz-bz*ty)/T ny=(bz*tx-bx*tz)/T nz=(bx*ty-by*tx)/T",
+       from({1, -1.5, 3})},
+      {"figure-eight-knot", "tube of radius r around the figure-eight knot",
+       "xyz=tube(k,u,r,v) k=((2+cos(2*u))*cos(3*u),(2+cos(2*u))*sin(3*u),sin(4*u)) "
+       "u=0:2*pi v=0:2*pi r=0.4",
        from({1, -1.5, 3})},
       {"seashell", "a horn that grows along a spiral",
        "x=2*(1-exp(u/(6*pi)))*cos(u)*cos(v/2)^2 y=2*(exp(u/(6*pi))-1)*sin(u)*cos(v/2)^2 "
@@ -230,8 +249,6 @@ const auto& entries() {
        "n(s)=(abs(cos(s))^(2/e)+abs(sin(s))^(2/e))^(-e/2) "
        "cu=cos(u)*n(u) su=sin(u)*n(u) cv=cos(v)*n(v) sv=sin(v)*n(v)",
        from({2, -3, 3})},
-      {"eck-default", "egg-box waves, the first scene of Eck's function grapher",
-       "x=u y=2*sin(u)*cos(2*v) z=v u=-6:6 v=-6:6", grapher_camera()},
   });
   return kEntries;
 }
@@ -255,6 +272,11 @@ Scene gallery_scene(const GalleryEntry& entry) {
   spec.name = entry.name;
   scene.camera = entry.camera;
   scene.clip = entry.clip;
+  spec.flip = entry.flip;
+  if (entry.size) {
+    scene.picture.width = entry.size->u;
+    scene.picture.height = entry.size->v;
+  }
   for (std::size_t begin = 0; begin < entry.assignments.size();) {
     const std::size_t end = std::min(entry.assignments.find(' ', begin), entry.assignments.size());
     assign(scene, std::string(entry.assignments.substr(begin, end - begin)));

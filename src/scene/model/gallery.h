@@ -18,6 +18,8 @@ struct GalleryEntry {
   std::string_view assignments;  ///< NAME=EXPRESSION words, separated by spaces
   Camera camera = {};            ///< where it looks good from
   Clip clip = {};
+  bool flip = false;                  ///< r_v x r_u points to the front
+  std::optional<GridSize> size = {};  ///< of the picture in pixels; none: that of any scene
 };
 
 /// All entries, in the order that `saddle list` prints.

@@ -63,6 +63,7 @@ std::vector<Instance> instances(const Scene& scene, World world) {
   const NodeFrames frames(scene, world);
   std::vector<Instance> result;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    if (!scene.surfaces[i].visible) continue;
     for (const glm::dmat4& place : places(frames, scene.surfaces[i])) result.push_back({i, place});
   }
   return result;
@@ -84,11 +85,13 @@ Mesh transformed(const Mesh& mesh, const glm::dmat4& to_world) {
     p = dvec3(to_world * glm::dvec4(p, 1));
     result.bounds.add(p);
   }
-  for (dvec3& n : result.normal) {
+  const auto turn = [&normals](dvec3& n) {
     n = normals * n;
     const double length = glm::length(n);
     if (length > 0) n /= length;
-  }
+  };
+  for (dvec3& n : result.normal) turn(n);
+  for (dvec3& n : result.contours.normal) turn(n);
   for (auto* const places : {&result.contours.position, &result.contours.on_mesh}) {
     for (dvec3& p : *places) p = dvec3(to_world * glm::dvec4(p, 1));
   }

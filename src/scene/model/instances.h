@@ -46,7 +46,7 @@ struct Instance {
 std::vector<glm::dmat4> places(const NodeFrames& frames, const SurfaceSpec& spec);
 std::vector<glm::dmat4> places(const Scene& scene, const SurfaceSpec& spec);
 
-/// All instances of a resolved scene, in the order of its surfaces.
+/// All instances of a resolved scene that are visible, in the order of its surfaces.
 std::vector<Instance> instances(const Scene& scene, World world = World::Drawn);
 
 /// The box around a transformed box; empty for an empty one.

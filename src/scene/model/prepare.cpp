@@ -131,10 +131,14 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
                  std::ranges::any_of(ends_u, depends_on_t) ||
                  std::ranges::any_of(ends, depends_on_t) || levels_move(scope, spec, scene.t);
   std::vector<NodeId> r = scope.bind(roots, scene.t);
+  const std::vector<NodeId> bound_u = scope.bind(ends_u, scene.t);
+  const std::vector<NodeId> bound_v = scope.bind(ends, scene.t);
+  result.ends = {bound_u[0], bound_u[1], bound_v[0], bound_v[1]};
   if (leans) {
-    const std::vector<NodeId> bound = scope.bind(ends, scene.t);
-    result.v = between(graph, {bound[0], bound[1]});
+    result.v = between(graph, {bound_v[0], bound_v[1]});
     r = substitute(graph, r, {{kSymbolV, *result.v}});
+    result.ends[2] = graph.constant(0);
+    result.ends[3] = graph.constant(1);
   }
   result.r = {r[0], r[1], r[2]};
   auto next = r.begin() + 3;

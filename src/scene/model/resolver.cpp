@@ -6,13 +6,22 @@
 #include "scene/model/prepare.h"
 
 namespace saddle {
+namespace {
+
+/// The value of an expression in words.
+std::string value_text(double value) {
+  if (std::isnan(value)) return "undefined";
+  return std::isinf(value) ? "infinite" : format_number(value);
+}
+
+}  // namespace
 
 void Resolver::number(const std::string& name, Number& number, const Limits& limits) {
   if (!number.text.empty()) number.value = scope().constant(name, number.text, {}, t_);
   if (std::isfinite(number.value) && limits.contain(number.value)) return;
   const std::string text = expression_of(number);
   const Place place{name, text, {0, text.size()}};
-  const std::string is = number.text.empty() ? "" : "it is " + format_number(number.value);
+  const std::string is = number.text.empty() ? "" : "it is " + value_text(number.value);
   if (!std::isfinite(number.value)) {
     throw Error(Status::Input, "not a finite number", place, is);
   }

@@ -25,9 +25,15 @@ std::optional<GridSize> samples_of(const Scene& scene, const SurfaceSpec& spec) 
   return spec.samples ? spec.samples : scene.mesh.samples;
 }
 
-bool has_exact_normals(const Scene& scene) {
+std::optional<Thickness> thickness_of(const Scene& scene, const SurfaceSpec& spec) {
+  const std::optional<Thickness>& asked = spec.thickness ? spec.thickness : scene.mesh.thickness;
+  const bool has_none = spec.is_stroke() || !asked || asked->where == Thickness::Where::Off;
+  return has_none ? std::nullopt : asked;
+}
+
+bool draws_parameters(const Scene& scene) {
   return std::ranges::any_of(scene.surfaces, [&](const SurfaceSpec& spec) {
-    return shading_of(scene, spec) == Shading::Exact;
+    return shading_of(scene, spec) == Shading::Exact || spec.texture;
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "base/bounds.h"
+#include "base/image.h"
 #include "base/vec.h"
 #include "formula/scope.h"
 #include "mesh/color/drawn_colors.h"
@@ -85,6 +87,9 @@ struct Slider {
   std::string name;
   Number min = 0;
   Number max = 1;
+  Number step = 0;  ///< from `min` on; 0: any value between
+  /// The parameter is the number of one of these, from 0 on, and nothing else.
+  std::vector<std::string> choices = {};
 };
 
 /// `MxN`: M in u, N in v; or across and down.
@@ -119,17 +124,55 @@ struct ContourSpec {
   std::optional<ColorRange> range = {};
 };
 
+/// How thick a surface is made, and on which of its sides.
+struct Thickness {
+  enum class Where { Both, Front, Back, Off };
+  Number value = 0;           ///< more than 0: in the surface's units, or
+  bool millimetres = false;   ///< of what is printed; see print_size
+  Where where = Where::Both;  ///< half to each side, all to one, or: it has none
+
+  bool operator==(const Thickness&) const = default;
+};
+
+/// A picture file in memory.
+struct TexturePicture {
+  Image image;
+  std::string file;  ///< its bytes
+};
+
+/// Where a surface's diffuse colour comes from in place of its materials'. The picture covers the
+/// ranges of u, to the right, and v, upward.
+struct Texture {
+  enum class Wrap { Repeat, Mirror, Clamp };
+  enum class Filter { Smooth, Nearest };
+
+  /// The picture's file as the user names it, or kChecker; empty with a picture: it came with the
+  /// scene's text.
+  std::string name;
+  std::shared_ptr<const TexturePicture> picture;  ///< loaded once; null: a chequerboard, or none
+  Wrap wrap = Wrap::Repeat;
+  Filter filter = Filter::Smooth;
+  GridSize repeat{1, 1};  ///< how often the picture fits into the ranges of u and v
+
+  bool is_checker() const { return !picture && !name.empty(); }
+  explicit operator bool() const { return picture || !name.empty(); }
+};
+
+/// Grid lines each way unless a surface has others.
+inline constexpr int kUsualGridLines = 16;
+
 struct SurfaceSpec {
   std::string name = "surface";
   std::string x = "u";  ///< of the usual names; a coordinate that is a parameter has no formula
   std::string y = "v";
   std::string z;
+  std::string xyz;    ///< a vector of 3, in place of these; empty: none
   std::string where;  ///< a condition: the part of the surface that is there; empty: all
   ParameterNames parameters = kUsualParameters;  ///< what u and v are called
   Range u;
   Range v;
-  int grid_u = 16;  ///< lines of constant u and of constant v; 0 and 0: no lines
-  int grid_v = 16;
+  int grid_u = kUsualGridLines;  ///< lines of constant u and of constant v; 0 and 0: no lines
+  int grid_v = kUsualGridLines;
   Material front = kFrontMaterial;
   Material back = kBackMaterial;
   std::string color;  ///< in place of the materials': of u, v, x, y, z, gauss, mean; empty: none
@@ -138,6 +181,7 @@ struct SurfaceSpec {
   /// its time, which is computed: scene files have none.
   std::optional<ColorRange> color_range = {};
   std::optional<ColorEnds> color_ends = {};  ///< in place of that range
+  Texture texture;
   std::vector<ContourSpec> contours;
   bool flip = false;
   std::vector<Definition> definitions;  ///< of its own: they hide the scene's of the same name
@@ -146,10 +190,12 @@ struct SurfaceSpec {
   std::optional<Shading> shading = {};
   std::optional<Specular> specular = {};
   std::optional<GridSize> samples = {};
+  std::optional<Thickness> thickness = {};
   Number opacity = 1;                     ///< 0 to 1; less than 1: one sees what is behind it
   std::optional<Number> line_width = {};  ///< of grid lines, pixels; default: line_width()
   Color line_color = kLineColor;
   std::string label;            ///< text beside it; empty: none
+  bool visible = true;          ///< else it is there for curves and points alone
   std::vector<std::string> in;  ///< the nodes it is drawn in; none: once, in the world
   /// It stands for this curve or point of the scene: see with_strokes() of scene/model/strokes.h.
   std::optional<std::size_t> curve = {}, point = {};
@@ -161,6 +207,7 @@ struct SurfaceSpec {
 struct StrokeSpec {
   std::string name;
   std::string label;  ///< text beside it; empty: none
+  bool visible = true;
   Color color = kStrokeColor;
   /// Pixels: of a line; of a point's dot across. Default: grows with the picture.
   std::optional<Number> width = {};
@@ -273,7 +320,10 @@ struct MeshSettings {
   double normal_tolerance = 3;              ///< degrees
   /// Default: 4000000; without a tolerance one per pixel, 1000000 at least.
   std::optional<int> max_triangles;
-  std::optional<GridSize> samples;  ///< a uniform grid of so many cells instead
+  std::optional<GridSize> samples;          ///< a uniform grid of so many cells instead
+  std::optional<Thickness> thickness = {};  ///< makes solids of surfaces
+  /// Millimetres of the longest side of an exported mesh; default: the scene's units.
+  std::optional<Number> print_size = {};
 };
 
 /// Most samples per pixel and side: 256 per pixel are more than eight bits can show.
@@ -328,6 +378,8 @@ struct Scene {
   MeshSettings mesh;
   PictureSettings picture;
   Number t = 0;  ///< the moment that is drawn; an animation's start unless it is another
+  /// Formulas are bound with t as a variable, for code that runs elsewhere; scene files have none.
+  bool keeps_time = false;
   std::optional<Animation> animation;
 };
 
@@ -336,8 +388,11 @@ Shading shading_of(const Scene& scene, const SurfaceSpec& spec);
 Specular specular_of(const Scene& scene, const SurfaceSpec& spec);
 std::optional<GridSize> samples_of(const Scene& scene, const SurfaceSpec& spec);
 
-/// A surface is shaded with the normals of its formula.
-bool has_exact_normals(const Scene& scene);
+/// The thickness that a surface has; nothing for one without, and for curves and points.
+std::optional<Thickness> thickness_of(const Scene& scene, const SurfaceSpec& spec);
+
+/// A surface is drawn by its u and v: with the normals of its formula, or a texture.
+bool draws_parameters(const Scene& scene);
 
 /// The range of time becomes this one, and its start the moment that is drawn.
 void set_time_range(Scene& scene, const Number& from, const Number& to);

@@ -12,6 +12,7 @@ SurfaceSpec stand_in(const Scene& scene, const StrokeSpec& stroke) {
   SurfaceSpec spec;
   spec.name = stroke.name;
   spec.label = stroke.label;
+  spec.visible = stroke.visible;
   spec.grid_u = spec.grid_v = 0;
   spec.front.diffuse = spec.back.diffuse = spec.line_color = stroke.color;
   spec.line_width = stroke.width;

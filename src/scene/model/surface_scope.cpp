@@ -33,6 +33,20 @@ bool is_condition(const Graph& graph, NodeId id) {
   }
 }
 
+/// Throws Error (Input) where a coordinate has a formula or a range beside xyz.
+void check_whole_position(const SurfaceSpec& spec) {
+  const std::array<const std::string*, 3> formulas = {&spec.x, &spec.y, &spec.z};
+  const std::array<std::string, 3> usual = {SurfaceSpec{}.x, SurfaceSpec{}.y, SurfaceSpec{}.z};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string name(1, "xyz"[axis]);
+    const bool is_given = *formulas[axis] != usual[axis];
+    if (!is_given && !is_parameter(spec, name)) continue;
+    throw Error(Status::Input, "xyz gives " + name + ", too",
+                {"xyz", spec.xyz, {0, spec.xyz.size()}},
+                is_given ? "leave xyz or " + name + " out" : "give the parameter another name");
+  }
+}
+
 }  // namespace
 
 NodeId parse_condition(const Graph& graph, Scope& scope, const std::string& text) {
@@ -63,6 +77,7 @@ std::array<NodeId, 3> restricted_position(Graph& graph, Scope& scope, const Surf
 
 std::string coordinate_formula(const SurfaceSpec& spec, std::size_t axis) {
   if (is_parameter(spec, std::string(1, "xyz"[axis]))) return "";
+  if (!spec.xyz.empty()) return std::string("xyz.") + "xyz"[axis];
   const auto& [u, v] = spec.parameters;
   if (axis == 0 && spec.x == SurfaceSpec{}.x) return u == "y" ? v : u;
   if (axis == 1 && spec.y == SurfaceSpec{}.y) return v == "x" ? u : v;
@@ -74,11 +89,15 @@ bool is_parameter(const SurfaceSpec& spec, const std::string& name) {
 }
 
 bool has_height(const SurfaceSpec& spec) {
-  return !spec.z.empty() || is_parameter(spec, "z");
+  return !spec.z.empty() || !spec.xyz.empty() || is_parameter(spec, "z");
 }
 
 std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpec& spec) {
   std::vector<Definition> names = scene.definitions;
+  if (!spec.xyz.empty()) {
+    check_whole_position(spec);
+    names.push_back({"xyz", spec.xyz});
+  }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string name(1, "xyz"[axis]);
     if (!is_parameter(spec, name)) names.push_back({name, coordinate_formula(spec, axis)});
@@ -97,7 +116,10 @@ Scope::View surface_view(const Scene& scene, const SurfaceSpec& spec) {
   // Definitions of a scene with curves may use s.
   const bool is_lazy =
       !scene.curves.empty() || std::ranges::any_of(scene.surfaces, has_other_names);
-  return {spec.parameters, is_lazy};
+  return {.parameters = spec.parameters,
+          .lazy = is_lazy,
+          .ranges = {{{spec.u.min, spec.u.max}, {spec.v.min, spec.v.max}}},
+          .keeps_time = scene.keeps_time};
 }
 
 RangeText::RangeText(std::string parameter, const Range& range)

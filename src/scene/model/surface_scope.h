@@ -21,7 +21,7 @@ std::string coordinate_formula(const SurfaceSpec& spec, std::size_t axis);
 /// One of the surface's parameters has that name.
 bool is_parameter(const SurfaceSpec& spec, const std::string& name);
 
-/// z has a formula, or is a parameter.
+/// z or xyz has a formula, or z is a parameter.
 bool has_height(const SurfaceSpec& spec);
 
 /// All that has a name in the formulas: the scene's definitions, the surface's own, and its x, y
@@ -74,6 +74,8 @@ struct BoundSurface {
   std::vector<NodeId> contours = {};  ///< the numbers that its level lines are of
   std::vector<NodeId> region = {};    ///< region_outputs() of a surface with a condition
   Domain domain;
+  /// The ends of u, then of v, which are 0 and 1 where its ends depend on u; or of a curve's s.
+  std::array<NodeId, 4> ends = {};
   bool flip = false;   ///< the front is where r_v x r_u points
   bool moves = false;  ///< it is another one at another time
 };

@@ -250,9 +250,9 @@ GridSize parse_grid_lines(const std::string& option, const std::string& text) {
 Color opaque_color(const std::string& option, const std::string& text) {
   Color color = parse_color(option, text);
   if (color.a < 1) {
-    throw Error(Status::Input, "a colour of a surface has no alpha",
+    throw Error(Status::Input, "this colour cannot be see-through",
                 {option, text, {0, text.size()}},
-                "--opacity makes surfaces see-through; here #rrggbb, or a name");
+                "write #rrggbb, or a CSS colour name; --opacity makes a surface see-through");
   }
   return color;
 }

@@ -67,7 +67,7 @@ int parse_whole(const std::string& option, const std::string& text, int low, int
 std::vector<Span> parse_list(const std::string& option, const std::string& text, std::size_t count,
                              const std::string& what, const std::string& sample);
 
-/// A colour of a surface, whose opacity is apart.
+/// A colour without opacity: of a surface, which has --opacity, of a line or of a light.
 Color opaque_color(const std::string& option, const std::string& text);
 
 /// A length: `0.5px`, or a share of the bounding box's diagonal such as `1e-3`; more than 0.

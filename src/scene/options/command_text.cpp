@@ -63,6 +63,7 @@ std::vector<std::string> assignments(const Scene& scene) {
   if (spec.x != SurfaceSpec{}.x) add("x", spec.x);
   if (spec.y != SurfaceSpec{}.y) add("y", spec.y);
   if (!spec.z.empty()) add("z", spec.z);
+  if (!spec.xyz.empty()) add("xyz", spec.xyz);
   if (!spec.where.empty()) add("where", spec.where);
   const bool has_usual_names = spec.parameters == kUsualParameters;
   for (const auto& [name, ends] :

@@ -15,7 +15,8 @@ struct ColorEndsOf {
   SurfaceSpec* surface;
 
   void parse(const Given& given) const;  ///< "off": all that is drawn
-  std::string format() const;            ///< nothing for the default
+  void clear() const { surface->color_ends.reset(); }
+  std::string format() const;  ///< nothing for the default
   void read(const InFile& in) const;
   std::string write() const;
   void resolve(Resolver& resolver, const std::string& name) const;
@@ -27,6 +28,7 @@ struct Contours {
   std::vector<ContourSpec>* value;
 
   void parse(const Given& given) const;  ///< "off": none
+  void clear() const { value->clear(); }
   std::vector<std::string> texts() const;
   void read(const InFile& in) const;
   std::string write() const;

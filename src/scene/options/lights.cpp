@@ -83,7 +83,7 @@ void read_falloff(const Reading& in, Spot& spot) {
   const char* const wanted = "\"linear\" or \"smooth\"";
   const std::string text = in.reader.text(in.name, in.value, wanted);
   if (text != "linear" && text != "smooth") {
-    throw in.source().error(in.name, std::string("must be ") + wanted, in.value.span);
+    throw in.source().error(in.subject(), std::string("must be ") + wanted, in.value.span);
   }
   spot.falloff = text == "smooth" ? Spot::Falloff::Smooth : Spot::Falloff::Linear;
 }
@@ -148,7 +148,9 @@ void read_attenuation(const Reading& in, Light& light) {
   if (in.value.kind == Kind::Table) {
     in.source().check_keys(in.name, in.value, {"range"});
     const TomlValue* const range = in.value.find("range");
-    if (range == nullptr) throw in.source().error(in.name, "'range' is missing", in.value.span);
+    if (range == nullptr)
+      throw in.source().error(in.name, "'range' is missing", in.value.span,
+                              "for example { range = 50 }");
     attenuation.range = in.reader.number(in.prefix + "range", *range);
     return;
   }

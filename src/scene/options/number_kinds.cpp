@@ -25,7 +25,9 @@ Number parse_expression(const Given& given, Span part) {
       Scope scope(graph, constant_names(*given.scene, given.surface),
                   constant_view(*given.scene, given.surface));
       const double now = scope.constant(given.option, given.text, part, given.scene->t);
-      if (!std::isfinite(now) && !scope.has_used_time()) throw;
+      if (!std::isfinite(now) && !scope.has_used_time()) {
+        throw Error(Status::Input, "not a finite number", {given.option, given.text, part});
+      }
     }
     return Number(given.text.substr(part.begin, part.end - part.begin));
   }

@@ -88,6 +88,7 @@ struct Stretch {
   AxisScale* value;
 
   void parse(const Given& given) const;
+  void clear() const { *value = {}; }
   std::string format() const;  ///< nothing for auto
   void read(const InFile& in) const;
   std::string write() const;

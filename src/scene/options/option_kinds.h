@@ -2,6 +2,7 @@
 // knows its text on the command line, its TOML and its limits.
 //
 //   parse    the command line's text into the value. Throws Error (Input) with the place in it
+//   clear    back to the default that has no text
 //   format   the text that parse() would take; empty where there is nothing to say
 //   read     a TOML value into the value. Throws Error (Input) with the place in the file
 //   write    as TOML; empty where there is nothing to say
@@ -21,6 +22,7 @@
 #include "scene/options/contour_kinds.h"
 #include "scene/options/number_kinds.h"
 #include "scene/options/size_kinds.h"
+#include "scene/options/texture_kinds.h"
 #include "scene/options/value_source.h"
 #include "scene/options/word_kinds.h"
 
@@ -33,6 +35,7 @@ struct Maybe {
   Kind kind;  ///< its pointer is filled in
 
   void parse(const Given& given) const { change(&Kind::parse, given); }
+  void clear() const { value->reset(); }
   std::string format() const { return *value ? inside(**value).format() : ""; }
   void read(const InFile& in) const { change(&Kind::read, in); }
   std::string write() const { return *value ? inside(**value).write() : ""; }
@@ -56,11 +59,11 @@ struct Maybe {
   }
 };
 
-using Slot =
-    std::variant<Flag, Text, Title, Labels, Texts, Formula, Ends, Times, Moment, Names, Parameters,
-                 Real, Plain, Whole, Point, ViewDirection, ViewAngles, Stretch, Paint, Side,
-                 ColormapName, ColorEndsOf, Contours, Choice, PictureSize, GridLines, Cells, Length,
-                 ClipBox, Frames, Maybe<Real, Number>, Maybe<Point, Vector>, Maybe<Whole, int>,
-                 Maybe<Plain, double>, Maybe<MemorySize, double>>;
+using Slot = std::variant<Flag, Text, Title, Labels, Texts, Formula, Ends, Times, Moment, Names,
+                          Parameters, Real, Plain, Whole, Point, ViewDirection, ViewAngles, Stretch,
+                          Paint, Side, ColormapName, ColorEndsOf, Contours, Choice, PictureSize,
+                          GridLines, Cells, Length, ClipBox, Thick, Frames, TexturePictureOf,
+                          TextureRepeat, Maybe<Real, Number>, Maybe<Point, Vector>,
+                          Maybe<Whole, int>, Maybe<Plain, double>, Maybe<MemorySize, double>>;
 
 }  // namespace saddle::kinds

@@ -28,6 +28,18 @@ kinds::Choice specular(auto* value) {
       value, {{"phong", Specular::Phong}, {"blinn", Specular::Blinn}});
 }
 
+kinds::Choice texture_wrap(Texture& texture) {
+  using Wrap = Texture::Wrap;
+  return kinds::choice<Wrap, Wrap>(
+      &texture.wrap, {{"repeat", Wrap::Repeat}, {"mirror", Wrap::Mirror}, {"clamp", Wrap::Clamp}});
+}
+
+kinds::Choice texture_filter(Texture& texture) {
+  using Filter = Texture::Filter;
+  return kinds::choice<Filter, Filter>(&texture.filter,
+                                       {{"smooth", Filter::Smooth}, {"nearest", Filter::Nearest}});
+}
+
 /// In the order of Theme. Another theme changes what the last one gave.
 kinds::Choice theme_of(Scene& scene) {
   kinds::Choice choice = kinds::choice<Theme, Theme>(
@@ -53,6 +65,17 @@ constexpr auto kRows = std::to_array<Option>({
      .help = "{formats}: for -o - and names without an extension",
      .commands = kGraphChart,
      .run = [](RunSettings& r) -> kinds::Slot { return kinds::Text{&r.format}; }},
+    {.name = "sliders",
+     .value = "NAMES",
+     .section = Section::Output,
+     .help = "parameters that an html page offers: all, off, or names with commas; t is time",
+     .commands = kGraph,
+     .run = [](RunSettings& r) -> kinds::Slot { return kinds::Text{&r.sliders}; }},
+    {.name = "fragment",
+     .section = Section::Output,
+     .help = "an html page without html and body, to put into another one",
+     .commands = kGraph,
+     .run = [](RunSettings& r) -> kinds::Slot { return kinds::Flag{&r.fragment}; }},
     {.name = "reference",
      .value = "FILE",
      .section = Section::Output,
@@ -106,7 +129,7 @@ constexpr auto kRows = std::to_array<Option>({
     {.name = "target",
      .value = "X,Y,Z",
      .section = Section::Camera,
-     .help = "point in the middle of the picture",
+     .help = "point in the middle of the picture, beside colour bars",
      .usual = "what is seen is in the middle",
      .table = Table::Camera,
      .scene = [](Scene& s) -> kinds::Slot {
@@ -281,6 +304,12 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kKeyOnly,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Formula{&s.z}; }},
+    {.name = "xyz",
+     .value = "FORMULA",
+     .help = "a vector of 3, of u and v, in place of x, y and z",
+     .commands = kKeyOnly,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Formula{&s.xyz}; }},
     {.name = "where",
      .value = "CONDITION",
      .help = "of u, v, x, y and z: only that part of the surface",
@@ -331,6 +360,44 @@ constexpr auto kRows = std::to_array<Option>({
      .object = true,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::ColorEndsOf{&s}; }},
+    {.name = "texture",
+     .value = "FILE",
+     .section = Section::Look,
+     .help = "PNG picture for the diffuse colour, over the ranges of u and v; or checker: the "
+             "grid's cells; or off",
+     .usual = "off",
+     .more = "u goes to the right, v up. Scenes that saddle writes hold pictures of up to 1 MiB.\n"
+             "In a scene file the picture is in the file's folder or below it.",
+     .commands = kGraphCheck,
+     .object = true,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::TexturePictureOf{&s.texture}; }},
+    {.name = "texture-repeat",
+     .value = "MxN",
+     .section = Section::Look,
+     .help = "how often the picture fits into the ranges of u and v; N for both",
+     .commands = kGraphCheck,
+     .object = true,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot {
+       return kinds::TextureRepeat{&s.texture.repeat};
+     }},
+    {.name = "texture-wrap",
+     .value = "HOW",
+     .section = Section::Look,
+     .help = "how it goes on after its edge: {choices}",
+     .commands = kGraphCheck,
+     .object = true,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return texture_wrap(s.texture); }},
+    {.name = "texture-filter",
+     .value = "HOW",
+     .section = Section::Look,
+     .help = "between its pixels: {choices}",
+     .commands = kGraphCheck,
+     .object = true,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return texture_filter(s.texture); }},
     {.name = "contours",
      .value = "EXPR",
      .section = Section::Look,
@@ -402,6 +469,12 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kKeyOnly,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Cells{&s.samples}; }},
+    {.name = "thickness",
+     .value = "T[,SIDE]",
+     .help = "in place of the scene's",
+     .commands = kKeyOnly,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Thick{&s.thickness}; }},
     {.name = "line-width",
      .value = "PX",
      .section = Section::Look,
@@ -438,6 +511,12 @@ constexpr auto kRows = std::to_array<Option>({
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Text{&s.label}; },
      .stroke = [](StrokeSpec& s) -> kinds::Slot { return kinds::Text{&s.label}; }},
+    {.name = "visible",
+     .value = "BOOLEAN",
+     .help = "false: it is not drawn, but curves and points may lie on it",
+     .commands = kKeyOnly,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Flag{&s.visible}; }},
     {.name = "in",
      .value = "NODES",
      .help = "the node that moves it, or several: the same mesh drawn once for each",
@@ -460,6 +539,12 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kKeyOnly,
      .table = Table::Stroke,
      .stroke = [](StrokeSpec& s) -> kinds::Slot { return kinds::Text{&s.label}; }},
+    {.name = "visible",
+     .value = "BOOLEAN",
+     .help = "false: it is not drawn",
+     .commands = kKeyOnly,
+     .table = Table::Stroke,
+     .stroke = [](StrokeSpec& s) -> kinds::Slot { return kinds::Flag{&s.visible}; }},
     {.name = "color",
      .value = "COLOR",
      .help = "of the line, dot, tube or ball",
@@ -591,6 +676,41 @@ constexpr auto kRows = std::to_array<Option>({
      .table = Table::Scene,
      .scene = [](Scene& s) -> kinds::Slot { return kinds::ClipBox{&s.clip}; }},
 
+    {.name = "print-size",
+     .value = "L",
+     .section = Section::Mesh,
+     .help = "millimetres of the longest side of an exported mesh; not of PLY, which keeps units",
+     .usual = "1 unit is 1 mm; 1 m in GLB",
+     .commands = kGraph,
+     .table = Table::Scene,
+     .scene = [](Scene& s) -> kinds::Slot {
+       return kinds::Maybe<kinds::Real, Number>{&s.mesh.print_size, {nullptr, kPositive}};
+     }},
+    {.name = "mesh-up",
+     .value = "AXIS",
+     .section = Section::Mesh,
+     .help = "the axis of exported meshes that points up, {choices}; GLB is always y",
+     .more =
+         "z: the formula's own coordinates. y: what is up in the formula is along y, as Blender "
+         "and\nmany viewers expect of OBJ.",
+     .commands = kGraph,
+     .run = [](RunSettings& r) -> kinds::Slot {
+       return kinds::choice<MeshUp, MeshUp>(&r.mesh_up, {{"z", MeshUp::Z}, {"y", MeshUp::Y}});
+     }},
+    {.name = "thickness",
+     .value = "T[,SIDE]",
+     .section = Section::Mesh,
+     .help = "a closed solid, T thick: half to each side, or all to front or back; 2mm of a print",
+     .usual = "off",
+     .more = "A number or expression is in the surface's units; 2mm is in millimetres of what is "
+             "printed:\nof --print-size, else a unit is 1 mm. 0.1,front and 0.1,back go to one "
+             "side. off: none.\nPictures, meshes and the viewer show the solid; --report tells "
+             "whether it goes through itself.",
+     .commands = kGraphCheck,
+     .object = true,
+     .table = Table::Scene,
+     .scene = [](Scene& s) -> kinds::Slot { return kinds::Thick{&s.mesh.thickness}; }},
+
     // --- time -----------------------------------------------------------------------------------
     {.name = "t",
      .value = "T",
@@ -680,9 +800,14 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kGraphCheck | bit(Command::List),
      .excludes = "quiet",
      .run = [](RunSettings& r) -> kinds::Slot { return kinds::Flag{&r.verbose}; }},
+    {.name = "shader",
+     .help = "of saddle show: the shaders that the scene needs, and what is left out of them",
+     .commands = bit(Command::Show),
+     .run = [](RunSettings& r) -> kinds::Slot { return kinds::Flag{&r.shader}; }},
     {.name = "help",
      .letter = 'h',
-     .help = "this text; --help WORD: an option's name, functions, scene, status or keys",
+     .help = "this text; --help WORD: an option's name, functions, formats, scene, status "
+             "or keys",
      .commands = kAllCommands,
      .run = [](RunSettings& r) -> kinds::Slot { return kinds::Flag{&r.help}; }},
     {.name = "version",

@@ -163,6 +163,23 @@ std::vector<std::string> choices(const Option& option) {
   return choice == nullptr ? std::vector<std::string>{} : choice->words;
 }
 
+std::string expanded(std::string_view text, const Option& option) {
+  std::string result(text);
+  const auto replace = [&result](const std::string& mark, const std::string& names) {
+    const std::size_t at = result.find(mark);
+    if (at != std::string::npos) result.replace(at, mark.size(), names);
+  };
+  std::string words;
+  for (const std::string& word : choices(option)) words += (words.empty() ? "" : " ") + word;
+  replace("{choices}", words);
+  replace("{limits}", limits_text(option));
+  return result;
+}
+
+std::string help_of(const Option& option) {
+  return expanded(option.help, option);
+}
+
 std::vector<std::string> keys_of(Table table) {
   std::vector<std::string> keys;
   each_row(table, [&](const Option& option) { keys.push_back(key_of(option)); });
@@ -182,6 +199,7 @@ void check_value(const Option& option, const std::string& text) {
   Owners owners;
   const kinds::Slot slot = slot_of(option, owners);
   if (std::holds_alternative<kinds::Moment>(slot)) return;  // it may use the scene's parameters
+  if (std::holds_alternative<kinds::TexturePictureOf>(slot)) return;  // a file is read once
   parse_slot(slot, {nullptr, dashed(option), text});
 }
 
@@ -189,8 +207,32 @@ bool is_of_strokes(const Option& option, bool beside_surfaces) {
   return option.stroke != nullptr && !(beside_surfaces && option.name == "color");
 }
 
+namespace {
+
+/// The row of a surface's own value, in place of the scene's; nullptr if it has none.
+const Option* own_row(const Option& option) {
+  const auto is_own = [&](const Option& row) { return row.surface && row.name == option.name; };
+  const auto row = std::ranges::find_if(options(), is_own);
+  return row == options().end() ? nullptr : &*row;
+}
+
+/// An option for the whole scene is for the surfaces that have their own value, too.
+void replace_own(const Option& option, const std::string& text, Scene& scene) {
+  const Option* const row = own_row(option);
+  if (row == nullptr) return;
+  for (SurfaceSpec& surface : scene.surfaces) {
+    const bool has_own = !write_slot(row->surface(surface)).empty();
+    if (has_own) apply_option(option, text, scene, surface);
+  }
+}
+
+}  // namespace
+
 void apply_option(const Option& option, const std::string& text, Scene& scene) {
-  if (option.scene) parse_slot(option.scene(scene), {&scene, dashed(option), text});
+  if (option.scene) {
+    parse_slot(option.scene(scene), {&scene, dashed(option), text});
+    replace_own(option, text, scene);
+  }
   if (option.surface) {
     for (SurfaceSpec& surface : scene.surfaces) apply_option(option, text, scene, surface);
   }
@@ -201,9 +243,8 @@ void apply_option(const Option& option, const std::string& text, Scene& scene) {
 
 void apply_option(const Option& option, const std::string& text, const Scene& scene,
                   SurfaceSpec& surface) {
-  const auto is_key = [&](const Option& row) { return row.surface && row.name == option.name; };
-  const auto row = std::ranges::find_if(options(), is_key);
-  if (row == options().end()) return;  // of curves and points alone
+  const Option* const row = own_row(option);
+  if (row == nullptr) return;  // of curves and points alone
   parse_slot(row->surface(surface), {&scene, dashed(option), text, &surface});
 }
 

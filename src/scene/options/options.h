@@ -83,6 +83,12 @@ std::string limits_text(const Option& option);
 /// The words of a choice.
 std::vector<std::string> choices(const Option& option);
 
+/// The line about an option, with its words and limits in place of {choices} and {limits}.
+std::string help_of(const Option& option);
+
+/// A text about an option, in the same way.
+std::string expanded(std::string_view text, const Option& option);
+
 /// The keys of a table of scene files that are rows.
 std::vector<std::string> keys_of(Table table);
 

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
+#include "scene/model/choices.h"
 #include "scene/model/resolver.h"
 #include "scene/options/lights.h"
 #include "scene/options/options.h"
@@ -36,14 +37,38 @@ void resolve_node(Resolver& resolver, SceneNode& node) {
   }
 }
 
-void resolve_sliders(Resolver& resolver, const std::string& prefix, std::vector<Slider>& sliders) {
+/// The value of a parameter is one of its choices.
+void resolve_choice(Resolver& resolver, const std::vector<Definition>& definitions,
+                    const Slider& slider) {
+  const auto parameter = std::ranges::find(definitions, slider.name, &Definition::name);
+  if (parameter == definitions.end()) return;  // an object took what it uses
+  Number value(parameter->text);
+  resolver.number(slider.name, value, kAny);
+  check_choice(slider, value);
+}
+
+void resolve_sliders(Resolver& resolver, const std::string& prefix,
+                     const std::vector<Definition>& definitions, std::vector<Slider>& sliders) {
   for (Slider& slider : sliders) {
+    if (!slider.choices.empty()) {
+      resolve_choice(resolver, definitions, slider);
+      continue;
+    }
     const std::string name = prefix + slider.name;
     resolver.number(name + ": min", slider.min, kAny);
     resolver.number(name + ": max", slider.max, kAny);
+    resolver.number(name + ": step", slider.step, kNotNegative);
     if (slider.min < slider.max) continue;
     throw Error(Status::Input, "min must be less than max", {name + ": max", {}, {}});
   }
+}
+
+/// A colour map and a texture would both be the colour of a point.
+void check_one_color(const SurfaceSpec& spec, const std::string& prefix) {
+  if (spec.color.empty() || !spec.texture) return;
+  throw Error(Status::Input, "a surface has a colour by a formula or a texture, not both",
+              {prefix + "color", spec.color, {0, spec.color.size()}},
+              "leave one of them out: --color off, --texture off");
 }
 
 /// One for the scene's numbers and those of most surfaces; surfaces with definitions of their own
@@ -84,7 +109,8 @@ void resolve_at(Resolvers& resolvers, Scene& scene) {
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     SurfaceSpec& spec = scene.surfaces[i];
     resolve_keys(resolvers.of_surface(i), surface_prefix(i), spec);
-    resolve_sliders(resolvers.of_surface(i), surface_prefix(i), spec.sliders);
+    check_one_color(spec, surface_prefix(i));
+    resolve_sliders(resolvers.of_surface(i), surface_prefix(i), spec.definitions, spec.sliders);
   }
   for (std::size_t i = 0; i < scene.curves.size(); ++i) {
     resolve_keys(resolver, curve_prefix(i), scene.curves[i]);
@@ -101,7 +127,7 @@ void resolve_at(Resolvers& resolvers, Scene& scene) {
     const Animation& film = *scene.animation;
     scene.camera.turn = 2 * std::numbers::pi * (scene.t - film.from) / (film.to - film.from);
   }
-  resolve_sliders(resolver, "", scene.sliders);
+  resolve_sliders(resolver, "", scene.definitions, scene.sliders);
 }
 
 /// Nodes by their names.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "scene/model/resolver.h"
 #include "scene/model/scene.h"
 #include "scene/options/value_source.h"
 
@@ -44,6 +45,7 @@ struct Cells {
   std::optional<GridSize>* value;
 
   void parse(const Given& given) const;
+  void clear() const { value->reset(); }
   std::string format() const;
   void read(const InFile& in) const;
   std::string write() const;
@@ -54,6 +56,7 @@ struct Length {
   std::optional<ToleranceValue>* value;
 
   void parse(const Given& given) const;
+  void clear() const { value->reset(); }
   std::string format() const;
   void read(const InFile& in) const;
   std::string write() const;
@@ -64,9 +67,21 @@ struct ClipBox {
   Clip* value;
 
   void parse(const Given& given) const;
+  void clear() const { *value = {}; }
   std::string format() const;  ///< nothing for auto
   void read(const InFile& in) const;
   std::string write() const;
+};
+
+/// T, T,front or T,back: a number or an expression, in units or as 2mm; or off.
+struct Thick {
+  std::optional<Thickness>* value;
+
+  void parse(const Given& given) const;
+  std::string format() const;
+  void read(const InFile& in) const;
+  std::string write() const;
+  void resolve(Resolver& resolver, const std::string& name) const;
 };
 
 }  // namespace saddle::kinds

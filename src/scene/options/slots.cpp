@@ -12,6 +12,18 @@ void parse_slot(const kinds::Slot& slot, const kinds::Given& given) {
       slot);
 }
 
+bool clear_slot(const kinds::Slot& slot) {
+  return std::visit(
+      [](const auto& kind) {
+        constexpr bool kClears = requires {
+          kind.clear();
+        };
+        if constexpr (kClears) kind.clear();
+        return kClears;
+      },
+      slot);
+}
+
 std::string format_slot(const kinds::Slot& slot) {
   return std::visit(
       [](const auto& kind) {

@@ -12,6 +12,9 @@ namespace saddle {
 /// Sets it to what the command line says. Throws Error (Input).
 void parse_slot(const kinds::Slot& slot, const kinds::Given& given);
 
+/// Back to a default that has no text; false: it has one.
+bool clear_slot(const kinds::Slot& slot);
+
 /// As on the command line; empty: there is nothing to say.
 std::string format_slot(const kinds::Slot& slot);
 

@@ -29,7 +29,9 @@ std::string quoted_text(const std::string& toml) {
 
 std::string text_of(const std::vector<Slider>& sliders) {
   std::string text;
-  for (const Slider& slider : sliders) text += slider.min.text + " " + slider.max.text + " ";
+  for (const Slider& slider : sliders) {
+    text += slider.min.text + " " + slider.max.text + " " + slider.step.text + " ";
+  }
   return text;
 }
 
@@ -45,6 +47,7 @@ std::string text_of_scene(const Scene& scene) {
 
 std::string text_of_surface(SurfaceSpec spec) {
   spec.name.clear();
+  spec.texture = {};
   return quoted_text(write_keys(spec, Theme::Dark)) + text_of(spec.sliders);
 }
 

@@ -184,7 +184,8 @@ TomlValue parse_toml(const SourceText& source) {
   } catch (const toml::parse_error& error) {
     const Span span = Lines(source.text).span(error.source());
     throw source.error("", std::string(error.description()), span,
-                       "scene files are TOML; saddle show torus prints one");
+                       {"scene files are TOML, where text stands in quotes: title = \"Torus\"",
+                        "saddle show torus prints one"});
   }
 }
 

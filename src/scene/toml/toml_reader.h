@@ -2,6 +2,7 @@
 // out later still points into the file.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -34,6 +35,9 @@ class TomlPlaces {
   void note(const std::string& subject, const std::string& text, Span span) {
     places_.emplace(subject, Noted{text, span});
   }
+
+  /// The folder of the file; empty for the current one, and for text without a file.
+  std::filesystem::path folder() const { return std::filesystem::path(text_.name).parent_path(); }
 
   /// An error about a value, at its place in the file; `prefix` completes the subject.
   Error located(const Error& error, const std::string& prefix = {}) const;

@@ -81,7 +81,9 @@ Ply read_ply(const std::string& bytes) {
 
 std::string written(const std::vector<Mesh>& meshes) {
   std::ostringstream out;
-  write_ply(out, meshes);
+  std::vector<ExportedMesh> placed;
+  for (const Mesh& mesh : meshes) placed.push_back({&mesh});
+  write_ply(out, placed);
   return out.str();
 }
 

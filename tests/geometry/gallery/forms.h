@@ -12,6 +12,7 @@
 #include "formula/derive.h"
 #include "formula/scope.h"
 #include "geometry/gallery/samples.h"
+#include "scene/model/surface_scope.h"
 
 namespace saddle {
 
@@ -26,10 +27,8 @@ struct Jet {
 /// lines.
 inline std::vector<Jet> jets(const Scene& scene) {
   Graph graph;
-  std::vector<Definition> names = scene.definitions;
   const SurfaceSpec& spec = scene.surfaces.at(0);
-  names.insert(names.end(), {{"x", spec.x}, {"y", spec.y}, {"z", spec.z}});
-  Scope scope(graph, names);
+  Scope scope(graph, surface_definitions(scene, spec), surface_view(scene, spec));
   const std::array<NodeId, 3> xyz = {scope.node("x"), scope.node("y"), scope.node("z")};
   const std::vector<NodeId> r = scope.bind(xyz, scene.t);
   const auto by_u = derive(graph, r, kSymbolU);

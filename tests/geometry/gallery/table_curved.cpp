@@ -238,6 +238,11 @@ std::vector<GalleryFacts> minimal_surfaces() {
        .boundary_loops = 1,
        .singular = {{[](double u, double v) { return std::hypot(std::sin(u / 2), v); }}},
        .minimal = true},
+      {.name = "richmond",
+       .extents = {2.042, 1.958, 2.6},
+       .boundary_loops = 2,
+       .closed_v = "join",
+       .minimal = true},
       {.name = "bour",
        .extents = {2.25, 2.597, 2.667},
        .euler_number = 1,
@@ -269,6 +274,14 @@ std::vector<GalleryFacts> pseudospherical_surfaces() {
   // Where w = 1 + u^2 sin(v)^2 is 2 normals turn over, and where r_u is 0: at u = 0.
   const auto kuen_cusps = [](double u, double w) { return u * u / (w * w) - 1; };
   return {
+      // A crease along the helix, where both halves of each tangent begin.
+      {.name = "tangent-developable",
+       .extents = {4.472, 4.472, 3.642},
+       .euler_number = 1,
+       .boundary_loops = 1,
+       .proof = Proof::May,
+       .singular = {v_is(0)},
+       .gauss = 0},
       {.name = "pseudosphere",
        .extents = {2, 2, 4.01},
        .boundary_loops = 2,

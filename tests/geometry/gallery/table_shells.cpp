@@ -91,6 +91,17 @@ std::vector<GalleryFacts> tubes_and_shells() {
                                    return std::abs(glm::dot(off, off) - 0.36) +
                                           std::abs(glm::dot(off, along_trefoil(u)));
                                  })},
+      {.name = "figure-eight-knot",
+       .extents = {6.8, 5.917, 2.8},
+       .closed_u = "join",
+       .closed_v = "join",
+       .equation = at_parameters(40, 2,
+                                 [](const dvec3& p, double u, double) {
+                                   const double r = 2 + std::cos(2 * u);
+                                   const dvec3 knot(r * std::cos(3 * u), r * std::sin(3 * u),
+                                                    std::sin(4 * u));
+                                   return glm::dot(p - knot, p - knot) - 0.16;
+                                 })},
       // Its sections pass through the axis of the cone at v = pi: a cusp. They begin with a point.
       {.name = "seashell",
        .extents = {6.049, 5.258, 8.107},

@@ -203,6 +203,15 @@ std::vector<GalleryFacts> singular_surfaces() {
                                 const double s = sq(std::sin(p.z));
                                 return sq(p.x) * (1 - s) - sq(p.y) * s - s * (1 - s);
                               })},
+      // Cones at the zeros of the sine.
+      {.name = "sine-modulus",
+       .extents = {6.283, 3, 2.352},
+       .euler_number = 1,
+       .boundary_loops = 1,
+       .proof = Proof::May,
+       .singular = {{[](double u, double v) { return std::hypot(std::sin(u), v); }}},
+       .equation = polynomial(
+           10, 2, [](const dvec3& p) { return sq(p.z) - sq(std::sin(p.x)) - sq(std::sinh(p.y)); })},
   };
 }
 

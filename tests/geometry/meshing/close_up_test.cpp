@@ -7,7 +7,7 @@
 
 #include "geometry/gallery/samples.h"
 #include "meshing/tessellate.h"
-#include "view/pick.h"
+#include "view/model/pick.h"
 
 namespace saddle {
 namespace {
@@ -42,13 +42,13 @@ struct CloseUp {
   /// over the picture. `seen`: in how many of them there is something.
   double worst_pixels(int& seen) const {
     const Surface surface = prepare_surface(scene, scene.surfaces[0], Order::First).surface;
-    const Mesh* const meshes = &mesh;
+    const TriangleBoxes boxes(mesh);
     double worst = 0;
     seen = 0;
     for (int y = 0; y < kPlaces; ++y) {
       for (int x = 0; x < kPlaces; ++x) {
         const Ray ray = ray_through(grip, grip.size * dvec2(x + 0.5, y + 0.5) / double(kPlaces));
-        const auto hit = first_hit({&meshes, 1}, ray);
+        const auto hit = first_hit(mesh, boxes, ray);
         if (!hit) continue;
         ++seen;
         const SurfacePoint point = evaluate(surface, std::vector{hit->uv}, 1)[0];

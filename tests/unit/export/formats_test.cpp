@@ -26,6 +26,7 @@ Scene one_surface() {
   Scene scene;
   assign(scene, "z=u*v");
   scene.background = {0, 0, 1, 1};
+  scene.picture.width = scene.picture.height = 16;
   return scene;
 }
 
@@ -41,6 +42,9 @@ std::string written(const Format& format, const Scene& scene) {
     case Kind::Mesh:
       format.write_mesh(out, {{&mesh, 1}, scene});
       break;
+    case Kind::Page:
+      format.write_page(out, {{&mesh, 1}, scene, scene, "all"});
+      break;
     case Kind::Scene:
       format.write_scene(out, scene);
       break;
@@ -54,6 +58,7 @@ TEST(Formats, HaveTheWriterOfTheirKindAndNoOther) {
   for (const Format& format : formats()) {
     EXPECT_EQ(format.write_picture != nullptr, format.kind == Kind::Picture) << format.extension;
     EXPECT_EQ(format.write_mesh != nullptr, format.kind == Kind::Mesh) << format.extension;
+    EXPECT_EQ(format.write_page != nullptr, format.kind == Kind::Page) << format.extension;
     EXPECT_EQ(format.write_scene != nullptr, format.kind == Kind::Scene) << format.extension;
     EXPECT_EQ(format.video != nullptr, format.kind == Kind::Animation) << format.extension;
   }
@@ -83,10 +88,11 @@ TEST(Formats, AreFoundByTheirExtension) {
 }
 
 TEST(Formats, AreListedInTheOrderOfTheTable) {
-  EXPECT_EQ(format_list(), "png, ply, toml, gif, mp4 or webm");
-  EXPECT_EQ(extension_list(), ".png .ply .toml .gif .mp4 .webm");
+  EXPECT_EQ(format_list(), "png, ply, stl, obj, glb, 3mf, html, svg, pdf, toml, gif, mp4 or webm");
+  EXPECT_EQ(extension_list(),
+            ".png .ply .stl .obj .glb .3mf .html .svg .pdf .toml .gif .mp4 .webm");
   EXPECT_EQ(extension_list(Kind::Animation), ".gif .mp4 .webm");
-  EXPECT_EQ(extension_list(Kind::Mesh), ".ply");
+  EXPECT_EQ(extension_list(Kind::Mesh), ".ply .stl .obj .glb .3mf");
 }
 
 TEST(Formats, ThatAreDrawnAreThoseOfImages) {
@@ -100,6 +106,9 @@ TEST(Formats, BeginAsTheirSpecificationsSay) {
   const Scene scene = one_surface();
   EXPECT_TRUE(written(*find_format("png"), scene).starts_with("\x89PNG\r\n\x1a\n"));
   EXPECT_TRUE(written(*find_format("ply"), scene).starts_with("ply\nformat binary_little_endian"));
+  EXPECT_TRUE(written(*find_format("html"), scene).starts_with("<!DOCTYPE html>\n"));
+  EXPECT_TRUE(written(*find_format("svg"), scene).starts_with("<?xml version=\"1.0\""));
+  EXPECT_TRUE(written(*find_format("pdf"), scene).starts_with("%PDF-1.7\n"));
   EXPECT_EQ(written(*find_format("toml"), scene), write_scene(scene));
 }
 
@@ -114,6 +123,14 @@ TEST(Formats, ThatCarryASceneGiveItBack) {
     EXPECT_EQ(write_scene(load_scene(path)), write_scene(scene)) << format.extension;
     std::filesystem::remove(path);
   }
+}
+
+TEST(Formats, OfScenesAreKnownByTheirFirstBytes) {
+  for (const Format& format : formats()) {
+    if (format.scene_in == nullptr) continue;
+    EXPECT_EQ(format_of_bytes(written(format, one_surface())), &format) << format.extension;
+  }
+  EXPECT_EQ(format_of_bytes("title = 1"), nullptr);
 }
 
 TEST(LoadScene, ReadsAFileOfAnyOtherNameAsAScene) {

@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"u=<v", "=<", "'=<' is not part", "<="},
         Mistake{"u===v", "===", "'===' is not part", "=="},
         Mistake{"u⁻", "⁻", "a raised minus without a number", "u^-1"},
-        Mistake{"5!", "!", "'!'", "gamma(n+1)"}, Mistake{"u%2", "%", "'%'", "mod(a,b)"},
+        Mistake{"5!", "!", "a factorial", "gamma(5+1)"}, Mistake{"u%2", "%", "'%'", "mod(a,b)"},
         Mistake{"u&v", "&", "a single '&'", "&&"}, Mistake{"|u|", "|", "a single '|'", "abs(a)"},
         Mistake{"u>0?1", "?", "without its ':'", "a ? b : c"},
         Mistake{"u?v:1:2+u", ":", "without its '?'", ""},
@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Mistake{"1e3,5", ",", "two results", "a decimal point is '.'"},
                       Mistake{"sin(0,5)", "sin", "takes 1 argument, not 2", "0.5"},
                       Mistake{"u,v", ",", "two results", ""},
-                      Mistake{"(u,v)", ",", "two results", ""},
+                      Mistake{"(u,v)", "(u,v)", "z is a vector of 2", "((u,v)).x"},
                       Mistake{"atan2(u)", "atan2", "takes 2 arguments, not 1", ""},
                       Mistake{"diff(u^2,2)", "diff", "a plain name", ""}));
 

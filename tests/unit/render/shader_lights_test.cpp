@@ -1,7 +1,9 @@
-// The table of kinds of light: each light has one kind, each kind a function of the shader.
+// The table of kinds of light: each light has one kind, each kind a function of the shader; and the
+// table of ranges.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 #include <vector>
@@ -106,6 +108,48 @@ TEST(ShaderLights, LeaveOutThoseThatAreOffAndThoseWithoutAnyColour) {
   std::vector<double> heights;
   for (const ShaderLight& light : shader_lights(scene, {}, 1)) heights.push_back(light.position.z);
   EXPECT_EQ(heights, (std::vector<double>{3, 4}));
+}
+
+// Source: Ogre3D wiki, "-Point Light Attenuation".
+constexpr std::array<dvec3, 12> kRangeRows = {{{7, 0.7, 1.8},
+                                               {13, 0.35, 0.44},
+                                               {20, 0.22, 0.20},
+                                               {32, 0.14, 0.07},
+                                               {50, 0.09, 0.032},
+                                               {65, 0.07, 0.017},
+                                               {100, 0.045, 0.0075},
+                                               {160, 0.027, 0.0028},
+                                               {200, 0.022, 0.0019},
+                                               {325, 0.014, 0.0007},
+                                               {600, 0.007, 0.0002},
+                                               {3250, 0.0014, 0.000007}}};
+
+TEST(Range, IsTheTableAtItsTwelveRows) {
+  for (const dvec3& row : kRangeRows) {
+    const dvec3 k = attenuation_of_range(row.x);
+    EXPECT_EQ(k.x, 1);
+    EXPECT_NEAR(k.y, row.y, 1e-12 * row.y) << row.x;
+    EXPECT_NEAR(k.z, row.z, 1e-12 * row.z) << row.x;
+  }
+}
+
+TEST(Range, LeavesAboutAHundredthOfTheLightWhereItEnds) {
+  for (double range = 1; range < 1e5; range *= 1.1) {
+    const dvec3 k = attenuation_of_range(range);
+    const double left = 1 / (k.x + range * (k.y + range * k.z));
+    EXPECT_GT(left, 0.002) << range;
+    EXPECT_LT(left, 0.04) << range;
+  }
+}
+
+TEST(Range, FallsWithTheReachBetweenRows) {
+  dvec3 before = attenuation_of_range(1);
+  for (double range = 1.1; range < 1e5; range *= 1.1) {
+    const dvec3 k = attenuation_of_range(range);
+    EXPECT_LT(k.y, before.y) << range;
+    EXPECT_LT(k.z, before.z) << range;
+    before = k;
+  }
 }
 
 }  // namespace

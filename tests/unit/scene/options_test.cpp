@@ -40,6 +40,10 @@ const std::map<std::string_view, std::string> kSamples = {
     {"color", "u*v"},
     {"colormap", "magma"},
     {"color-range", "0:2*t+1"},
+    {"texture", "checker"},
+    {"texture-repeat", "3x2"},
+    {"texture-wrap", "mirror"},
+    {"texture-filter", "nearest"},
     {"contours", "u*v=0,0.5"},
     {"grid", "8x4"},
     {"front", "#ff8000"},
@@ -53,8 +57,10 @@ const std::map<std::string_view, std::string> kSamples = {
     {"tolerance", "0.25px"},
     {"normal-tolerance", "5"},
     {"max-triangles", "1000"},
+    {"print-size", "80"},
     {"samples", "20x10"},
     {"clip", "-1:1,-2:2,0:5"},
+    {"thickness", "(t+1)mm,back"},
     {"t", "0.75"},
     {"fps", "24"},
     {"frames", "10"},
@@ -195,7 +201,7 @@ TEST(Options, AreTakenBySomeCommandOrAreKeys) {
   for (const Option& option : options()) {
     EXPECT_EQ(option.commands & ~kAllCommands, 0U) << option.name;
     if (option.is_option()) {
-      EXPECT_NE(option.commands & kGraph, 0U) << option.name;
+      EXPECT_NE(option.commands & (kGraph | bit(Command::Show)), 0U) << option.name;
     }
   }
 }

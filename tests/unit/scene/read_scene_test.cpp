@@ -24,6 +24,7 @@ normal-tolerance = 5
 max-triangles = 1000
 samples = "20x10"
 clip = "-1:1,-2:2,0:0.5"
+print-size = 80
 t = "r/2"
 
 [params]

@@ -61,8 +61,10 @@ std::string scene_with(const std::string& heading, const std::string& line) {
   const std::string node = "[[node]]\nname = \"wheel\"\n[[node]]\nname = \"car\"\n";
   if (heading == "Top of the file") return line + "\n" + surface;
   if (heading == "[[surface]]") {
-    const std::string z = line.starts_with("z =") ? "" : "z = \"x+y\"\n";
-    const std::string color = line.starts_with("color =") ? "" : "color = \"z\"\n";
+    const bool is_place = line.starts_with("z =") || line.starts_with("xyz =");
+    const std::string z = is_place ? "" : "z = \"x+y\"\n";
+    const bool is_colored = !line.starts_with("color =") && !line.starts_with("texture =");
+    const std::string color = is_colored ? "color = \"z\"\n" : "";
     return "[[surface]]\n" + z + color + line + "\n" + node;
   }
   if (heading == "[[curve]]" || heading == "[[point]]") {

@@ -1,5 +1,5 @@
 // The newest request counts: what is shown last is what was wished for last.
-#include "view/mesh_worker.h"
+#include "view/model/mesh_worker.h"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +18,7 @@ Scene titled_scene(const std::string& title) {
   Scene scene;
   scene.title = title;
   scene.surfaces.resize(1);
+  scene.surfaces[0].label = title;  // a mesh of its own
   return scene;
 }
 
@@ -149,6 +150,36 @@ TEST(MeshWorker, TellsWhatNoErrorIs) {
   ASSERT_TRUE(result.error);
   EXPECT_STREQ(result.error->what(), "odd");
   EXPECT_EQ(result.error->status(), Status::Machine);
+}
+
+TEST(MeshWorker, MakesAgainOnlyThatWhichHasChanged) {
+  Results results;
+  std::atomic<int> made = 0;
+  MeshWorker worker(
+      [&](const Scene&, std::size_t, Detail detail) {
+        made += detail == Detail::Full ? 1 : 0;
+        return Tessellation{};
+      },
+      [&] { results.announce(); });
+  Scene scene = titled_scene("first");
+  scene.surfaces.assign(3, SurfaceSpec());
+  for (SurfaceSpec& spec : scene.surfaces) spec.z = "u";
+  scene.surfaces[1].z = "v";
+  worker.request(scene, Manner::PreviewFirst);
+  const Meshed first = results.wait_for(worker, "first");
+  EXPECT_EQ(made, 2) << "surfaces that are alike have one mesh";
+  scene.title = "second";
+  scene.surfaces[1].z = "2*v";
+  worker.request(scene, Manner::PreviewFirst);
+  const Meshed second = results.wait_for(worker, "second");
+  EXPECT_EQ(made, 3);
+  EXPECT_EQ(second.surfaces[0], first.surfaces[0]);
+  EXPECT_NE(second.surfaces[1], first.surfaces[1]);
+  scene.title = "third";
+  scene.surfaces[2].front.diffuse = {1, 0, 0};
+  worker.request(scene, Manner::Full);
+  EXPECT_EQ(results.wait_for(worker, "third").surfaces, second.surfaces);
+  EXPECT_EQ(made, 3);
 }
 
 }  // namespace

@@ -1,17 +1,20 @@
 // The viewer's model without a window.
-#include "view/model.h"
+#include "view/model/model.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <functional>
 #include <new>
 #include <semaphore>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "view/hand.h"
+#include "scene/toml/scene_file.h"
+#include "view/model/hand.h"
 
 namespace saddle {
 namespace {
@@ -187,6 +190,165 @@ TEST(Model, KeepsItsMeshesWhereReloadingThrowsWhatIsNoError) {
   ASSERT_TRUE(model->error());
   EXPECT_STREQ(model->error()->what(), "out of memory");
   EXPECT_EQ(model->meshes().size(), 1);
+}
+
+TEST(PickedPoint, IsHiddenBehindASurface) {
+  PlaneModel model("1");
+  const auto look_from = [&](double height) {
+    Camera camera = model->scene().camera;
+    camera.view = Vector(0.3, 0.2, height);
+    model->look_through(camera);
+  };
+  edit(model, [](Scene& scene) {
+    SurfaceSpec above = scene.surfaces[0];
+    above.name = "above";
+    above.z = "0.5";
+    scene.surfaces.push_back(above);
+  });
+  look_from(2);
+  pick_somewhere(model);
+  EXPECT_EQ(model->picked()->surface, "above");
+  EXPECT_FALSE(model->is_picked_hidden());
+  look_from(-2);
+  EXPECT_TRUE(model->is_picked_hidden());
+  edit(model, [](Scene& scene) { scene.surfaces[0].visible = false; });
+  EXPECT_FALSE(model->is_picked_hidden()) << "what is not drawn hides nothing";
+}
+
+TEST(Model, MakesNoMeshAnewForAColourOrForAnotherSurface) {
+  PlaneModel model("1");
+  edit(model, [](Scene& scene) {
+    scene.definitions = {{"a", "1"}, {"b", "1"}};
+    SurfaceSpec other = scene.surfaces[0];
+    other.name = "other";
+    other.z = "a*u";
+    scene.surfaces.push_back(other);
+  });
+  const auto before = model->meshes();
+  edit(model, [](Scene& scene) {
+    scene.surfaces[0].front.diffuse = {1, 0, 0};
+    scene.background = {1, 1, 1, 1};
+    scene.definitions[1].text = "2";
+  });
+  EXPECT_EQ(model->meshes(), before);
+  edit(model, [](Scene& scene) { scene.definitions[0].text = "2"; });
+  EXPECT_EQ(model->meshes()[0], before[0]);
+  EXPECT_NE(model->meshes()[1], before[1]);
+  edit(model, [](Scene& scene) { scene.definitions[1].text = "2+"; });
+  EXPECT_TRUE(model->error()) << "though no surface uses it";
+}
+
+/// The state in words.
+std::string words_of(const Model& model) {
+  const ViewState& view = model.view();
+  return write_scene(model.scene()) + (view.grid ? "grid " : "") +
+         (view.wireframe ? "wires " : "") + (view.normals ? "normals " : "") +
+         (view.turntable ? "table " : "");
+}
+
+TEST(Model, UndoesEveryActionAndDoesItAgain) {
+  PlaneModel model("1");
+  std::vector<std::string> states{words_of(*model)};
+  for (const Action action :
+       {Action::Grid, Action::Wireframe, Action::Normals, Action::Turntable, Action::NextLights,
+        Action::ShadeExactly, Action::Axes, Action::Orthographic, Action::AlongX, Action::Fit,
+        Action::Flip, Action::Coarser, Action::AddSurface, Action::AddCurve, Action::AddPoint,
+        Action::AddLight, Action::NextLights, Action::New}) {
+    ASSERT_TRUE(model->act(action));
+    model->end_edit();
+    if (action == Action::Fit)
+      continue;  // which changes nothing, unless a hand has moved the camera
+    EXPECT_NE(words_of(*model), states.back()) << row_of(action).name;
+    states.push_back(words_of(*model));
+  }
+  const auto step_back = [&] { model->act(Action::Undo); };
+  const std::string last = states.back();
+  int steps = 0;
+  for (; model->has(Needs::Past); ++steps) step_back();
+  EXPECT_EQ(words_of(*model), states.front()) << "undo to the start gives the first scene back";
+  for (; steps > 0; --steps) model->act(Action::Redo);
+  EXPECT_EQ(words_of(*model), last);
+  EXPECT_FALSE(model->has(Needs::Future));
+}
+
+TEST(Model, TakesTheCameraBackWithTheSceneThatWasOpened) {
+  PlaneModel model("1");
+  const Camera before = model->scene().camera;
+  Scene other = model->scene();
+  other.camera.view = Vector(0, 0, 1);
+  model->open(other, {});
+  EXPECT_EQ(dvec3(model->scene().camera.view), dvec3(0, 0, 1));
+  model->undo();
+  EXPECT_EQ(dvec3(model->scene().camera.view), dvec3(before.view));
+  edit(model, [](Scene& scene) { scene.surfaces[0].z = "u"; });
+  Camera turned = model->scene().camera;
+  turned.view = Vector(1, 0, 0);
+  model->look_through(turned);
+  model->undo();
+  EXPECT_EQ(dvec3(model->scene().camera.view), dvec3(1, 0, 0)) << "a hand's way is no change";
+}
+
+TEST(Model, KeepsTheNextLightsThroughUndo) {
+  PlaneModel model("1");
+  const std::size_t own = model->scene().lights.size();
+  Scene other = model->scene();
+  model->open(other, {});
+  model->undo();
+  model->act(Action::NextLights);
+  EXPECT_EQ(model->scene().lights.size(), 1U);
+  model->undo();
+  EXPECT_EQ(model->scene().lights.size(), own);
+  model->redo();
+  EXPECT_EQ(model->scene().lights.size(), 1U);
+  model->act(Action::NextLights);
+  model->act(Action::NextLights);
+  EXPECT_EQ(model->scene().lights.size(), own) << "once round";
+}
+
+TEST(Model, PlaysOnlyWhatMoves) {
+  PlaneModel model("1");
+  EXPECT_FALSE(model->moves());
+  model->act(Action::Play);
+  EXPECT_FALSE(model->playing);
+  edit(model, [](Scene& scene) { scene.surfaces[0].z = "t*u"; });
+  EXPECT_TRUE(model->has(Needs::Movement));
+  model->act(Action::Play);
+  EXPECT_TRUE(model->playing);
+  edit(model, [](Scene& scene) { scene.surfaces[0].z = "u"; });
+  EXPECT_FALSE(model->playing);
+  edit(model, [](Scene& scene) { scene.lights[0].position.x = Number("t"); });
+  EXPECT_TRUE(model->moves()) << "a light does";
+}
+
+TEST(Model, PlaysAParameterToAndFroAndUndoesThatAtOnce) {
+  PlaneModel model("1");
+  edit(model, [](Scene& scene) {
+    scene.definitions = {{"a", "1"}};
+    scene.sliders = {{"a", 0, 2}};
+    scene.surfaces[0].z = "a*u";
+  });
+  model->play(ParameterPlace{{}, "a"});
+  const auto begin = Model::Clock::now();
+  double least = 1;
+  double most = 1;
+  for (int i = 0; i <= 120; ++i) {
+    model->pass(begin + i * std::chrono::milliseconds(50));
+    const double a = std::stod(model->scene().definitions[0].text);
+    least = std::min(least, a);
+    most = std::max(most, a);
+  }
+  EXPECT_LT(least, 0.1);
+  EXPECT_GT(most, 1.9);
+  model->undo();
+  EXPECT_EQ(model->scene().definitions[0].text, "1");
+  EXPECT_FALSE(model->played());
+}
+
+TEST(Model, IsAsFineAsCanBeSeen) {
+  PlaneModel model("1");
+  for (int i = 0; i < 12; ++i) model->act(Action::Finer);
+  EXPECT_GE(model->tolerance().value, 1.0 / 16);
+  EXPECT_TRUE(model->take_news());
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 // Points under a pixel: on the surface itself, though only its mesh is hit.
-#include "view/pick.h"
+#include "view/model/pick.h"
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
 #include "mesh/mesher/grid_mesh.h"
@@ -22,8 +21,7 @@ Surface surface_of(const Scene& scene) {
 std::optional<SurfacePlace> pick(const Surface& surface, const Ray& ray) {
   const Mesh mesh =
       mesh_on_grid(surface, {.cells_u = 24, .cells_v = 24, .lines_u = 0, .lines_v = 0}).mesh;
-  const std::array<const Mesh*, 1> meshes{&mesh};
-  const auto hit = first_hit(meshes, ray);
+  const auto hit = first_hit(mesh, TriangleBoxes(mesh), ray);
   if (!hit) return std::nullopt;
   return place_on_surface(surface, ray, *hit);
 }

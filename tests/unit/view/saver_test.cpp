@@ -1,4 +1,4 @@
-#include "view/saver.h"
+#include "view/picture/saver.h"
 
 #include <gtest/gtest.h>
 

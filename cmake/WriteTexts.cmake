@@ -1,0 +1,10 @@
+# Writes OUTPUT: FUNCTION of HEADER, with one case per file of the list FILES.
+set(text "// Generated from text files.\n#include \"${HEADER}\"\n\nnamespace saddle {\n\n")
+string(APPEND text "std::string_view ${FUNCTION}(std::string_view name) {\n")
+foreach(path IN LISTS FILES)
+  get_filename_component(name ${path} NAME)
+  file(READ ${path} source)
+  string(APPEND text "  if (name == \"${name}\") {\n    return R\"text(${source})text\";\n  }\n")
+endforeach()
+string(APPEND text "  return {};\n}\n\n}  // namespace saddle\n")
+file(WRITE ${OUTPUT} "${text}")

@@ -1,0 +1,263 @@
+// The page holds its script and its meshes deflated. A short script unpacks the long one; both, and
+// the style, are allowed by their hashes, and nothing else is.
+#include "export/page.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <ostream>
+#include <set>
+#include <sstream>
+#include <string_view>
+
+#include "base/error.h"
+#include "base/nearest.h"
+#include "base/packed_text.h"
+#include "base/sha256.h"
+#include "export/markup.h"
+#include "export/page_code.h"
+#include "export/page_solids.h"
+#include "export/page_sources.h"
+#include "render/gl/gpu_mesh.h"
+#include "render/picture/picture_in_tiles.h"
+#include "scene/model/instances.h"
+#include "scene/toml/scene_file.h"
+
+namespace saddle {
+namespace {
+
+/// Corners are baked that formulas have elsewhere by this share of a pixel: a quarter of the
+/// meshes' tolerance in pictures.
+constexpr double kPixelShare = 0.125;
+
+constexpr std::string_view kSceneBegins = "<template class=\"saddle-scene\">";
+constexpr std::string_view kSceneEnds = "</template>";
+
+/// In the order in which they need each other.
+constexpr std::array kScripts = {"vectors.js",  "payload.js", "mesh.js", "camera.js",
+                                 "lights.js",   "gl.js",      "flat.js", "overlay.js",
+                                 "controls.js", "main.js"};
+
+/// Without indentation and comments.
+std::string stripped(std::string_view text) {
+  std::string result;
+  std::istringstream lines{std::string(text)};
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t first = line.find_first_not_of(' ');
+    if (first == std::string::npos || line.substr(first).starts_with("//")) continue;
+    result += line.substr(first, line.find("  //", first) - first) + "\n";
+  }
+  return result;
+}
+
+/// The functions of functions.js that the code calls, and those that they call.
+std::string functions_for(const std::string& code) {
+  const std::string source = stripped(page_source("functions.js"));
+  std::string all;
+  std::set<std::string> known;
+  bool has_grown = true;
+  while (has_grown) {
+    has_grown = false;
+    for (std::size_t at = 0; (at = source.find("function ", at)) != std::string::npos; ++at) {
+      const std::size_t begin = at + std::string_view("function ").size();
+      const std::string name = source.substr(begin, source.find('(', begin) - begin);
+      const bool is_called = (code + all).find(name + "(") != std::string::npos;
+      if (!is_called || !known.insert(name).second) continue;
+      all += source.substr(at, source.find("\n}\n", at) + 3 - at);
+      has_grown = true;
+    }
+  }
+  return all;
+}
+
+std::string hash_of(const std::string& text) {
+  return "'sha256-" + base64(sha256(text)) + "'";
+}
+
+std::optional<double> number_in(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// Chooses the parameters that have sliders, and keeps them in the formulas.
+class Sliders {
+ public:
+  Sliders(PageScene& page, const std::string& wanted) : page_(page) {
+    std::istringstream words(wanted);
+    for (std::string word; std::getline(words, word, ',');) wanted_.push_back(word);
+    Scene& scene = page_.scene;
+    const auto is_solid = [](const Mesh& mesh) { return mesh.solid.has_value(); };
+    if (std::ranges::all_of(page_.meshes, is_solid)) hold(scene.definitions);
+    keep(scene.definitions, scene.sliders, "");
+    for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+      SurfaceSpec& spec = scene.surfaces[i];
+      if (page_.meshes[i].solid) {
+        hold(spec.definitions);
+      } else {
+        keep(spec.definitions, spec.sliders, " (" + spec.name + ")");
+      }
+    }
+    check();
+    if (is("off")) return;
+    scene.keeps_time = is("all") || is_wanted("t");
+  }
+
+ private:
+  bool is(const char* word) const { return wanted_.size() == 1 && wanted_[0] == word; }
+  bool is_wanted(const std::string& name) const {
+    return is("all") || std::ranges::find(wanted_, name) != wanted_.end();
+  }
+
+  void hold(const std::vector<Definition>& definitions) {
+    for (const Definition& definition : definitions) still_.insert(definition.name);
+  }
+
+  void keep(std::vector<Definition>& definitions, const std::vector<Slider>& sliders,
+            const std::string& owner) {
+    for (Definition& definition : definitions) {
+      const auto value = definition.is_function ? std::nullopt : number_in(definition.text);
+      if (!value) continue;
+      names_.push_back(definition.name);
+      if (!is_wanted(definition.name)) continue;
+      const auto slider = std::ranges::find(sliders, definition.name, &Slider::name);
+      // Without ends of its own, to twice the value on both sides of 0, as in the viewer.
+      const double reach = std::max(1.0, 2 * std::abs(*value));
+      PageParameter parameter{definition.name + owner, *value, -reach, reach};
+      if (slider != sliders.end()) {
+        parameter.min = slider->min;
+        parameter.max = slider->max;
+      }
+      definition.kept = kFirstKeptSymbol + static_cast<Symbol>(page_.parameters.size());
+      page_.parameters.push_back(std::move(parameter));
+    }
+  }
+
+  void check() const {
+    if (is("all") || is("off")) return;
+    for (const std::string& word : wanted_) {
+      if (still_.contains(word)) {
+        throw Error(Status::Input, "solids follow no sliders, and '" + word + "' is of one",
+                    {"--sliders", word, {0, word.size()}}, "--thickness off, or --sliders all");
+      }
+      if (word == "t" || std::ranges::find(names_, word) != names_.end()) continue;
+      std::vector<std::string> known = names_;
+      known.insert(known.end(), {"t", "all", "off"});
+      std::string hint = "known:";
+      for (const std::string& name : known) hint += " " + name;
+      const auto nearest = nearest_name(word, known);
+      throw Error(Status::Input, "no parameter is called '" + word + "'",
+                  {"--sliders", word, {0, word.size()}},
+                  hint + (nearest ? "; did you mean '" + *nearest + "'?" : ""));
+    }
+  }
+
+  PageScene& page_;
+  std::vector<std::string> wanted_;
+  std::vector<std::string> names_;
+  std::set<std::string> still_;  ///< parameters of solids
+};
+
+/// `parts`, `packed`: keep what the page refers to.
+PageScene page_scene(const PageContent& content, std::vector<Mesh>& parts,
+                     std::vector<PageMesh>& packed) {
+  PageScene page;
+  page.scene = content.seen;
+  page.meshes = content.meshes;
+  const Scene& scene = page.scene;
+  const dvec2 size(scene.picture.width, scene.picture.height);
+  page.camera = fit_to_meshes(scene, content.meshes, size);
+  std::vector<std::optional<ColorRange>> ranges;
+  for (const Mesh& mesh : content.meshes) ranges.push_back(color_range_of(mesh));
+  page.scales = color_scales(scene, ranges);
+  split_solids(page, parts);
+  Bounds bounds;
+  std::vector<double> stretch(scene.surfaces.size(), 1);
+  for (const Instance& instance : instances(scene)) {
+    bounds.add(transformed(page.meshes[instance.surface].bounds, instance.to_world));
+    double& most = stretch[instance.surface];
+    most = std::max(most, largest_stretch(instance.to_world));
+  }
+  page.unit = model_frame(bounds).size;
+  const double pixel = 2 * page.camera.half_height / scene.picture.height;
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    packed.push_back(
+        page_mesh(scene, scene.surfaces[i], page.meshes[i], kPixelShare * pixel / stretch[i]));
+    packed.back().fixed |= page.meshes[i].solid.has_value();
+  }
+  page.packed = packed;
+  return page;
+}
+
+/// Unpacks the script. Inserted as text it is allowed by its hash.
+constexpr const char* kLoader =
+    "(async root=>{const text=root.querySelector('.saddle-code').textContent,"
+    "script=document.createElement('script');"
+    "script.textContent=await new Response(new "
+    "Blob([Uint8Array.from(atob(text),c=>c.charCodeAt(0))])"
+    ".stream().pipeThrough(new DecompressionStream('deflate'))).text();"
+    "root.append(script)})(document.currentScript.parentElement)"
+    ".catch(()=>document.querySelectorAll('.saddle-note').forEach(e=>"
+    "e.textContent='This page needs a browser of 2023 or later.'))";
+
+std::string body_of(const PageContent& content, const std::string& script,
+                    const std::string& meshes, const std::string& style) {
+  const std::string formula = formulas_as_text(content.scene);
+  const std::string title = escaped_markup(content.scene.title);
+  const std::string tag = content.fragment ? "div" : "main";
+  std::string text =
+      "<" + tag + " class=\"saddle\"" + (content.fragment ? " data-fragment" : "") + ">\n";
+  if (content.fragment) text += "<style>" + style + "</style>\n";
+  text += (content.fragment ? "" : "<h1>" + title + "</h1>\n") +
+          ("<p class=\"saddle-formula\">" + escaped_markup(formula) + "</p>\n") +
+          "<div class=\"saddle-view\"><canvas class=\"saddle-canvas\" role=\"img\" tabindex=\"0\" "
+          "aria-label=\"" +
+          title + ": " + escaped_markup(formula) +
+          "\"></canvas><canvas class=\"saddle-over\" aria-hidden=\"true\"></canvas></div>\n"
+          "<p class=\"saddle-place\" aria-live=\"polite\"></p>\n"
+          "<p class=\"saddle-note\"><noscript>This page needs JavaScript.</noscript></p>\n"
+          "<div class=\"saddle-panel\"></div>\n";
+  text += std::string(kSceneBegins) + escaped_markup(write_scene(content.scene)) +
+          std::string(kSceneEnds) + "\n";
+  text += "<script type=\"text/plain\" class=\"saddle-meshes\">" + base64(zlib_stream(meshes)) +
+          "</script>\n<script type=\"text/plain\" class=\"saddle-code\">" +
+          base64(zlib_stream(script)) + "</script>\n<script>" + kLoader + "</script>\n";
+  return text + "</" + tag + ">\n";
+}
+
+}  // namespace
+
+void write_page(std::ostream& out, const PageContent& content) {
+  std::vector<PageMesh> packed;
+  std::vector<Mesh> parts;
+  PageScene page = page_scene(content, parts, packed);
+  const Sliders sliders(page, content.sliders);
+  std::string meshes;
+  for (const PageMesh& mesh : packed) meshes += mesh.bytes;
+  for (const ColorScale& scale : page.scales) meshes += colormap_bytes(scale.colormap);
+  std::string script = page_scene_code(page);
+  script = functions_for(script) + script;
+  for (const char* const name : kScripts) script += stripped(page_source(name));
+  script = "{\n" + script + "}\n";
+  const std::string style = stripped(page_source("page.css"));
+  const std::string body = body_of(content, script, meshes, style);
+  if (content.fragment) {
+    out << body;
+    return;
+  }
+  out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; base-uri "
+         "'none'; form-action 'none'; script-src "
+      << hash_of(kLoader) << " " << hash_of(script) << "; style-src " << hash_of(style)
+      << "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
+      << escaped_markup(content.scene.title) << "</title>\n<style>" << style
+      << "</style>\n</head>\n<body>\n"
+      << body << "</body>\n</html>\n";
+}
+
+std::optional<std::string> scene_in_page(const std::string& bytes, const std::string&) {
+  return text_between(bytes, kSceneBegins, kSceneEnds);
+}
+
+}  // namespace saddle

@@ -1,0 +1,142 @@
+// Exact tests of points against the triangles that cover them, in place of a buffer of depths:
+// ends of hidden parts do not depend on its pixels.
+#include "export/visible_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+
+namespace saddle {
+namespace {
+
+/// Side of the squares by which triangles are found, in pixels.
+constexpr double kBin = 8;
+/// Points of a line that are tested, pixels apart: no gap or piece that is shorter is found.
+constexpr double kStep = 0.5;
+/// From there, halvings to the end of a part: 0.5 / 2^4 is a thirty-second of a pixel.
+constexpr int kHalvings = 4;
+/// Lines lie on the triangles' own sides. Triangles are pushed back by the depth that they have
+/// across so many pixels, less than hidden parts may be wrong by, and by a share of all depths for
+/// those seen straight on.
+constexpr double kPushPixels = 0.1;
+constexpr double kPushDepth = 1e-6;
+/// Triangles of less area, in square pixels, hide nothing.
+constexpr double kLeastArea = 1e-9;
+
+double area(const dvec3& a, const dvec3& b, const dvec3& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+}  // namespace
+
+PictureDepths::PictureDepths(const FittedCamera& camera, const dvec2& size)
+    : camera_(camera),
+      size_(size),
+      columns_(static_cast<int>(size.x / kBin) + 1),
+      rows_(static_cast<int>(size.y / kBin) + 1),
+      bins_(static_cast<std::size_t>(columns_) * rows_) {}
+
+std::optional<dvec3> PictureDepths::screen(const dvec3& point, double nearer) const {
+  dvec3 eye =
+      glm::dmat3(camera_.world_to_eye) * (point - camera_.target) - dvec3(0, 0, camera_.distance);
+  const bool ortho = camera_.eye_to_clip[2][3] == 0;
+  const double way = nearer * camera_.half_height;
+  if (ortho) {
+    eye.z += way;
+  } else {
+    eye *= 1 - way / camera_.distance;
+  }
+  const glm::dvec4 clip = camera_.eye_to_clip * glm::dvec4(eye, 1);
+  if (!(clip.w > 0)) return std::nullopt;
+  return dvec3((1 + clip.x / clip.w) / 2 * size_.x, (1 - clip.y / clip.w) / 2 * size_.y,
+               clip.z / clip.w);
+}
+
+void PictureDepths::add(const std::array<dvec3, 3>& corners) {
+  Drawn drawn;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto at = screen(corners[k], 0);
+    if (!at) return;
+    drawn.at[k] = *at;
+  }
+  const auto& [a, b, c] = drawn.at;
+  const double whole = area(a, b, c);
+  if (!(std::abs(whole) > kLeastArea)) return;
+  const double across = ((b.z - a.z) * (c.y - a.y) - (c.z - a.z) * (b.y - a.y)) / whole;
+  const double down = ((c.z - a.z) * (b.x - a.x) - (b.z - a.z) * (c.x - a.x)) / whole;
+  drawn.push = kPushPixels * std::max(std::abs(across), std::abs(down)) + kPushDepth;
+  const auto first = [](double x, double y, double z) {
+    return static_cast<int>(std::floor(std::min({x, y, z}) / kBin));
+  };
+  const auto last = [](double x, double y, double z) {
+    return static_cast<int>(std::floor(std::max({x, y, z}) / kBin));
+  };
+  const auto number = static_cast<std::uint32_t>(triangles_.size());
+  triangles_.push_back(drawn);
+  for (int y = std::max(0, first(a.y, b.y, c.y)); y <= std::min(rows_ - 1, last(a.y, b.y, c.y));
+       ++y) {
+    for (int x = std::max(0, first(a.x, b.x, c.x));
+         x <= std::min(columns_ - 1, last(a.x, b.x, c.x)); ++x) {
+      bins_[static_cast<std::size_t>(y) * columns_ + x].push_back(number);
+    }
+  }
+}
+
+bool PictureDepths::is_hidden(const dvec3& at) const {
+  if (!(at.x >= 0 && at.y >= 0 && at.x < size_.x && at.y < size_.y)) return true;  // not in it
+  const auto bin =
+      static_cast<std::size_t>(at.y / kBin) * columns_ + static_cast<std::size_t>(at.x / kBin);
+  return std::ranges::any_of(bins_[bin], [&](std::uint32_t number) {
+    const auto& [corners, push] = triangles_[number];
+    const auto& [a, b, c] = corners;
+    const double whole = area(a, b, c);
+    const double at_b = area(a, at, c) / whole;
+    const double at_c = area(a, b, at) / whole;
+    if (!(at_b >= 0 && at_c >= 0 && at_b + at_c <= 1)) return false;
+    return a.z + at_b * (b.z - a.z) + at_c * (c.z - a.z) + push < at.z;
+  });
+}
+
+std::vector<std::vector<dvec2>> PictureDepths::visible(std::span<const dvec3> chain,
+                                                       double nearer) const {
+  std::vector<std::vector<dvec2>> parts;
+  bool is_open = false;
+  const auto add = [&](const dvec3& at) {
+    if (!is_open) parts.emplace_back();
+    is_open = true;
+    parts.back().emplace_back(at);
+  };
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    const auto from = screen(chain[i - 1], nearer);
+    const auto to = screen(chain[i], nearer);
+    if (!from || !to) {
+      is_open = false;
+      continue;
+    }
+    const dvec3 way = *to - *from;  // depths are linear on the screen, too
+    const int steps = std::max(1, static_cast<int>(std::ceil(std::hypot(way.x, way.y) / kStep)));
+    bool was_hidden = is_hidden(*from);
+    if (was_hidden) is_open = false;
+    if (!was_hidden) add(*from);
+    for (int k = 1; k <= steps; ++k) {
+      const bool now_hidden = is_hidden(*from + way * (static_cast<double>(k) / steps));
+      if (now_hidden != was_hidden) {
+        double before = static_cast<double>(k - 1) / steps;
+        double after = static_cast<double>(k) / steps;
+        for (int halving = 0; halving < kHalvings; ++halving) {
+          const double middle = (before + after) / 2;
+          (is_hidden(*from + way * middle) == was_hidden ? before : after) = middle;
+        }
+        add(*from + way * ((before + after) / 2));
+        if (now_hidden) is_open = false;
+        was_hidden = now_hidden;
+      }
+    }
+    if (!was_hidden) add(*to);
+  }
+  return parts;
+}
+
+}  // namespace saddle

@@ -1,0 +1,45 @@
+#include "formula/definition.h"
+
+#include <utility>
+
+#include "formula/parser.h"
+
+namespace saddle {
+
+std::string display_name(const Definition& definition) {
+  if (!definition.is_function) return definition.name;
+  std::string text = definition.name + "(";
+  for (const std::string& argument : definition.arguments) {
+    if (text.back() != '(') text += ", ";
+    text += argument;
+  }
+  return text + ")";
+}
+
+FormulaText formula_of(const Definition& definition) {
+  return {display_name(definition), definition.text, {0, definition.text.size()}};
+}
+
+Error name_error(const Definition& definition, std::string message, std::string hint) {
+  return formula_of(definition).error(std::move(message), {0, 0}, std::move(hint));
+}
+
+bool is_coordinate(std::string_view name) {
+  return name == "x" || name == "y" || name == "z" || name == "xyz";
+}
+
+void check_type(const Value& value, const Definition& definition) {
+  const FormulaText formula = formula_of(definition);
+  if (definition.name != "xyz") {
+    require_real(value, formula);
+  } else if (value.type != Type::Vector3) {
+    throw TypeError(formula.error("xyz is " + std::string(name_of(value.type)), formula.part,
+                                  "it is a vector of 3, for example (cos(u), sin(u), v)"));
+  }
+}
+
+bool has_diff(const Definition& definition) {
+  return names_in(definition.text).contains("diff");
+}
+
+}  // namespace saddle

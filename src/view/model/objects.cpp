@@ -1,0 +1,74 @@
+#include "view/model/objects.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "scene/model/theme.h"
+
+namespace saddle {
+namespace {
+
+/// "torus" of "torus 2".
+std::string stem_of(const std::string& name) {
+  const std::size_t space = name.rfind(' ');
+  if (space == std::string::npos || space + 1 == name.size()) return name;
+  const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+  const bool is_number =
+      std::all_of(name.begin() + static_cast<std::ptrdiff_t>(space) + 1, name.end(), is_digit);
+  return is_number ? name.substr(0, space) : name;
+}
+
+bool is_taken(const Scene& scene, const std::string& name) {
+  return std::ranges::find(scene.surfaces, name, &SurfaceSpec::name) != scene.surfaces.end() ||
+         std::ranges::find(scene.curves, name, &CurveSpec::name) != scene.curves.end() ||
+         std::ranges::find(scene.points, name, &PointSpec::name) != scene.points.end();
+}
+
+}  // namespace
+
+std::string free_name(const Scene& scene, const std::string& name) {
+  const std::string stem = stem_of(name);
+  std::string free = stem;
+  for (int i = 2; is_taken(scene, free); ++i) free = stem + " " + std::to_string(i);
+  return free;
+}
+
+Scene new_scene() {
+  Scene scene;
+  add_surface(scene);
+  return scene;
+}
+
+void add_surface(Scene& scene) {
+  SurfaceSpec spec = themed_surface(scene.theme);
+  spec.name = free_name(scene, spec.name);
+  spec.z = "u^2-v^2";
+  scene.surfaces.push_back(std::move(spec));
+}
+
+void add_curve(Scene& scene) {
+  CurveSpec curve;
+  curve.name = free_name(scene, curve.name);
+  curve.x = "cos(2*pi*s)";
+  curve.y = "sin(2*pi*s)";
+  curve.z = "0";
+  scene.curves.push_back(std::move(curve));
+}
+
+void add_point(Scene& scene) {
+  PointSpec point;
+  point.name = free_name(scene, point.name);
+  point.at = Vector(0, 0, 1);
+  scene.points.push_back(std::move(point));
+}
+
+void add_parameter(Scene& scene, const std::string& name) {
+  if (std::ranges::find(scene.definitions, name, &Definition::name) != scene.definitions.end()) {
+    return;
+  }
+  scene.definitions.push_back({name, "1"});
+  scene.sliders.push_back({name, 0, 2});
+}
+
+}  // namespace saddle

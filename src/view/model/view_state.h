@@ -1,0 +1,29 @@
+// All that a person changes in the window: the scene, and how it is shown.
+#pragma once
+
+#include "base/vec.h"
+#include "scene/model/scene.h"
+#include "view/model/light_setups.h"
+
+namespace saddle {
+
+/// How the window shows a scene, beside what the scene says.
+struct ViewState {
+  bool grid = true;  ///< grid lines
+  bool wireframe = false;
+  bool normals = false;
+  bool turntable = false;   ///< a hand turns on a table, not on a ball
+  dvec3 table_up{0, 0, 1};  ///< the table's axis
+  double speed = 1;         ///< of t, in that of the animation's film
+  LightSetups lights;       ///< which setup is shown
+
+  bool operator==(const ViewState&) const = default;
+};
+
+/// The state that undo and redo go to.
+struct State {
+  Scene scene;
+  ViewState view;
+};
+
+}  // namespace saddle

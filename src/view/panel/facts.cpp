@@ -1,0 +1,58 @@
+#include "view/panel/facts.h"
+
+#include <imgui.h>
+
+#include "base/format.h"
+#include "mesh/model/mesh_report.h"
+#include "view/panel/widgets.h"
+
+namespace saddle {
+
+void show_picked(const Model& model) {
+  if (!model.picked()) return;
+  const SurfacePlace& place = model.picked()->place;
+  ImGui::Separator();
+  const auto& [u, v] = model.picked()->names;
+  ImGui::TextUnformatted(
+      (u + formatted(" %.6g  ", place.uv.x) + v + formatted(" %.6g", place.uv.y)).c_str());
+  const dvec3& p = place.position;
+  show_wrapped(Tone::Plain, formatted("x %.6g  y %.6g  z %.6g", p.x, p.y, p.z));
+  if (place.normal) {
+    const dvec3& n = *place.normal;
+    show_wrapped(Tone::Quiet, formatted("normal %.4f %.4f %.4f", n.x, n.y, n.z));
+  } else {
+    show_wrapped(Tone::Quiet, "no normal: a singular point");
+  }
+  const Curvature& c = place.curvature;
+  show_wrapped(Tone::Quiet, formatted("Gauss %.5g  mean %.5g", c.gauss, c.mean));
+  show_wrapped(Tone::Quiet, formatted("principal %.5g and %.5g", c.largest, c.smallest));
+}
+
+void show_figures(const Model& model, const Figures& figures) {
+  for (const auto& surface : model.meshes()) {
+    const MeshReport& report = surface->report;
+    show_wrapped(Tone::Quiet, formatted("%zu triangles, %zu evaluations",
+                                        surface->mesh.triangles.size(), report.evaluations));
+    if (report.tolerance) {
+      show_wrapped(Tone::Quiet,
+                   formatted("off by %.2g of %.2g", report.max_error, *report.tolerance));
+    }
+  }
+  show_wrapped(Tone::Quiet, formatted("mesh %.1f ms", model.last_good().milliseconds));
+  if (figures.moving_ms) {
+    show_wrapped(Tone::Quiet, formatted("%.1f ms a moving frame", *figures.moving_ms));
+  }
+  if (const auto seconds = model.meshing_seconds()) {
+    show_wrapped(Tone::Plain, formatted("meshing: %.0f s", *seconds));
+  }
+}
+
+void show_warnings(const Model& model, const Figures& figures) {
+  const auto show = [](const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) show_wrapped(Tone::Warning, for_panel(warning));
+  };
+  for (const auto& surface : model.meshes()) show(surface->warnings);
+  show(figures.warnings);
+}
+
+}  // namespace saddle

@@ -1,0 +1,216 @@
+#include "view/panel/panel.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include "scene/model/assignments.h"
+#include "view/model/objects.h"
+#include "view/panel/facts.h"
+#include "view/panel/fields.h"
+#include "view/panel/light_rows.h"
+#include "view/panel/menus.h"
+#include "view/panel/number_fields.h"
+#include "view/panel/object_rows.h"
+#include "view/panel/option_fields.h"
+#include "view/panel/parameter_rows.h"
+#include "view/panel/widgets.h"
+
+namespace saddle {
+namespace {
+
+/// The height of the strip that says what is wrong.
+constexpr float kErrorLines = 8;
+
+bool is_on(const Model& model, Action action) {
+  switch (action) {
+    case Action::Grid:
+      return model.view().grid;
+    case Action::Wireframe:
+      return model.view().wireframe;
+    case Action::Normals:
+      return model.view().normals;
+    case Action::Turntable:
+      return model.view().turntable;
+    case Action::Axes:
+      return model.scene().axes;
+    case Action::Orthographic:
+      return model.scene().camera.ortho;
+    case Action::Play:
+      return model.playing;
+    case Action::Panel:
+      return true;
+    case Action::ShadeVertices:
+      return model.scene().picture.shading == Shading::Vertex;
+    case Action::ShadePixels:
+      return model.scene().picture.shading == Shading::Pixel;
+    case Action::ShadeExactly:
+      return model.scene().picture.shading == Shading::Exact;
+    default:
+      return false;
+  }
+}
+
+bool header(const char* title, bool open = false) {
+  return ImGui::CollapsingHeader(title, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+}
+
+/// The name that an error says is unknown, if it could be that of a parameter.
+std::optional<std::string> missing_name(const Error& error) {
+  const Place& place = error.place();
+  if (!std::string_view(error.what()).starts_with("unknown name '")) return std::nullopt;
+  if (place.span.end > place.text.size() || place.span.begin >= place.span.end) return std::nullopt;
+  if (place.text.substr(place.span.end).starts_with('(')) return std::nullopt;  // a function
+  return place.text.substr(place.span.begin, place.span.end - place.span.begin);
+}
+
+void add_buttons(Desk& desk) {
+  struct Button {
+    const char* text;
+    Action action;
+  };
+  constexpr std::array kButtons{Button{"+ surface", Action::AddSurface},
+                                Button{"+ curve", Action::AddCurve},
+                                Button{"+ point", Action::AddPoint}};
+  for (const auto& [text, action] : kButtons) {
+    if (action != kButtons.front().action) ImGui::SameLine();
+    if (ImGui::SmallButton(text)) desk.action = action;
+    show_tip(row_of(action).help);
+  }
+}
+
+}  // namespace
+
+/// Tells the mistake, and the definition that would mend it.
+void Panel::show_errors(Desk& desk) const {
+  const std::optional<Error>& error = desk.refused ? desk.refused : desk.model.error();
+  if (!error) return;
+  const float height = errors_height(desk);
+  ImGui::SetCursorPosY(ImGui::GetWindowHeight() - height);
+  ImGui::Separator();
+  ImGui::BeginChild("##errors", {0, 0});
+  const auto name = missing_name(*error);
+  if (name && ImGui::SmallButton(("make a slider for " + *name).c_str())) {
+    desk.edit("", [&](Scene& scene) { add_parameter(scene, *name); });
+  }
+  show_error(*error);
+  ImGui::EndChild();
+}
+
+/// Fields never move because of a mistake: there is always as much room for it.
+float Panel::errors_height(const Desk& desk) const {
+  const bool any = desk.refused || desk.model.error() || was_refused_;
+  return any ? kErrorLines * ImGui::GetTextLineHeightWithSpacing() : 0;
+}
+
+void Panel::show_new_definition(Desk& desk) {
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::InputTextWithHint("##new", "new: name = formula", &new_definition_)) refused_.reset();
+  if (is_confirmed_ && ImGui::IsItemActive()) {
+    Scene scene = desk.scene();
+    refused_.reset();
+    try {
+      assign(scene, new_definition_);
+      desk.model.edit(std::move(scene), "");
+      new_definition_.clear();
+      clear_text();
+    } catch (const Error& error) {
+      refused_ = error;
+    }
+  }
+  if (refused_ && !desk.refused) desk.refused = refused_;
+}
+
+/// The moment, if anything depends on it; where it begins and ends.
+void Panel::show_time(Desk& desk) const {
+  Model& model = desk.model;
+  if (!model.moves() && !desk.scene().animation) return;
+  const Animation animation = desk.scene().animation.value_or(Animation{});
+  const double low = animation.from;
+  const double high = animation.to;
+  ImGui::PushID("time");
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("t");
+  ImGui::SameLine();
+  if (icon_button(model.playing ? Icon::Stop : Icon::Play, row_of(Action::Play).help)) {
+    desk.action = Action::Play;
+  }
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+  double t = desk.scene().t;
+  if (ImGui::SliderScalar("##t", ImGuiDataType_Double, &t, &low, &high, "%.3f")) model.set_time(t);
+  constexpr double kSlowest = 0.01;
+  constexpr double kFastest = 100;
+  ViewState view = model.view();
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderScalar("##speed", ImGuiDataType_Double, &view.speed, &kSlowest, &kFastest,
+                          "speed %.2f", ImGuiSliderFlags_Logarithmic)) {
+    model.change_view(view, "speed");
+  }
+  if (desk.scene().animation) {
+    const auto end = [](Number Animation::*number) {
+      return [number](Scene& scene) -> Number& { return scene.animation.value().*number; };
+    };
+    number_field(desk, "from", "animation: t: from", end(&Animation::from));
+    number_field(desk, "to", "animation: t: to", end(&Animation::to));
+  }
+  ImGui::PopID();
+}
+
+void Panel::show_list(Desk& desk, const Figures& figures) {
+  if (std::exchange(enters_, false)) ImGui::SetKeyboardFocusHere();
+  show_surfaces(desk);
+  show_curves(desk);
+  show_points(desk);
+  add_buttons(desk);
+  ImGui::Separator();
+  show_parameters(desk);
+  show_new_definition(desk);
+  show_time(desk);
+  show_picked(desk.model);
+  if (header("Lights")) {
+    show_lights(desk);
+    if (ImGui::SmallButton("+ light")) desk.action = Action::AddLight;
+  }
+  if (header("Scene")) scene_fields(desk);
+  if (!quiet_) show_warnings(desk.model, figures);
+  if (header("Mesh", true)) show_figures(desk.model, figures);
+}
+
+void Panel::confirm(Model& model) {
+  confirm_text();
+  model.end_edit();
+  is_confirmed_ = true;
+}
+
+void Panel::show(Model& model, const Figures& figures, double width) {
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize({static_cast<float>(width), ImGui::GetIO().DisplaySize.y});
+  constexpr ImGuiWindowFlags kFixed =
+      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_MenuBar |
+      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+  Desk desk{model, is_confirmed_, std::nullopt, std::nullopt, can_};
+  ImGui::Begin("panel", nullptr, kFixed);
+  action_ = show_menus(can_, [&](Action action) { return is_on(model, action); });
+  const float height = ImGui::GetContentRegionAvail().y - errors_height(desk);
+  ImGui::BeginChild("##list", {0, std::max(1.0F, height)}, false,
+                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysVerticalScrollbar);
+  show_list(desk, figures);
+  ImGui::EndChild();
+  show_errors(desk);
+  ImGui::End();
+  was_refused_ = desk.refused.has_value();
+  if (desk.action) action_ = desk.action;
+  // A click into the picture takes the keyboard from a field before the field is shown again.
+  const unsigned active = ImGui::GetCurrentContext()->ActiveId;
+  if (active != active_) model.end_edit();
+  active_ = active;
+  changed_ |= ImGui::GetCurrentContext()->ActiveIdHasBeenEditedThisFrame;
+}
+
+}  // namespace saddle

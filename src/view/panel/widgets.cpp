@@ -1,0 +1,207 @@
+#include "view/panel/widgets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+namespace saddle {
+namespace {
+
+const ImVec4 kWrong{1.0F, 0.45F, 0.4F, 1};
+const ImVec4 kWarning{1.0F, 0.75F, 0.35F, 1};
+const ImVec4 kQuiet{0.65F, 0.65F, 0.7F, 1};
+
+/// Characters on each side of a wrong place that are shown of a long line.
+constexpr std::size_t kAround = 12;
+
+ImVec4 color_of(Tone tone) {
+  switch (tone) {
+    case Tone::Quiet:
+      return kQuiet;
+    case Tone::Wrong:
+      return kWrong;
+    case Tone::Warning:
+      return kWarning;
+    case Tone::Plain:
+      break;
+  }
+  return ImGui::GetStyleColorVec4(ImGuiCol_Text);
+}
+
+/// The part of the text that is wrong, underlined, with a little around it.
+void show_place(const Place& place) {
+  const std::string& text = place.text;
+  if (text.empty()) return;
+  const std::size_t begin = std::min(place.span.begin, text.size());
+  const std::size_t end = std::clamp(place.span.end, begin, text.size());
+  const std::string before =
+      text.substr(begin - std::min(begin, kAround), std::min(begin, kAround));
+  const std::string wrong = begin < end ? text.substr(begin, end - begin) : " ";
+  ImGui::TextUnformatted(before.c_str());
+  ImGui::SameLine(0, 0);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::PushStyleColor(ImGuiCol_Text, kWrong);
+  ImGui::TextUnformatted(wrong.c_str());
+  ImGui::PopStyleColor();
+  const ImVec2 size = ImGui::CalcTextSize(wrong.c_str());
+  ImGui::GetWindowDrawList()->AddLine({corner.x, corner.y + size.y},
+                                      {corner.x + size.x, corner.y + size.y},
+                                      ImGui::GetColorU32(kWrong), 1.5F);
+  ImGui::SameLine(0, 0);
+  ImGui::TextUnformatted(text.substr(end, kAround).c_str());
+}
+
+void show_label(const std::string& label) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label.c_str());
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+}
+
+/// Drawn in a square with its middle at `c` and half a side of `r`.
+void draw_icon(ImDrawList& list, Icon icon, const ImVec2& c, float r, ImU32 color) {
+  const float line = std::max(1.0F, r / 5);
+  const auto at = [&](float x, float y) { return ImVec2{c.x + x * r, c.y + y * r}; };
+  switch (icon) {
+    case Icon::Eye:
+      list.AddBezierQuadratic(at(-1, 0), at(0, -1.3F), at(1, 0), color, line);
+      list.AddBezierQuadratic(at(-1, 0), at(0, 1.3F), at(1, 0), color, line);
+      list.AddCircleFilled(c, 0.3F * r, color);
+      return;
+    case Icon::ClosedEye:
+      list.AddBezierQuadratic(at(-1, 0), at(0, 1.3F), at(1, 0), color, line);
+      return;
+    case Icon::Copy:
+      list.AddRect(at(-0.8F, -0.8F), at(0.3F, 0.3F), color, 0, 0, line);
+      list.AddRectFilled(at(-0.3F, -0.3F), at(0.8F, 0.8F), color);
+      return;
+    case Icon::Delete:
+      list.AddLine(at(-0.6F, -0.6F), at(0.6F, 0.6F), color, line);
+      list.AddLine(at(-0.6F, 0.6F), at(0.6F, -0.6F), color, line);
+      return;
+    case Icon::Up:
+      list.AddTriangleFilled(at(0, -0.6F), at(0.7F, 0.5F), at(-0.7F, 0.5F), color);
+      return;
+    case Icon::Play:
+      list.AddTriangleFilled(at(-0.5F, -0.7F), at(0.8F, 0), at(-0.5F, 0.7F), color);
+      return;
+    case Icon::Stop:
+      list.AddRectFilled(at(-0.6F, -0.6F), at(0.6F, 0.6F), color);
+      return;
+  }
+}
+
+float icon_side() {
+  return ImGui::GetFontSize() + 2;
+}
+
+}  // namespace
+
+void show_wrapped(Tone tone, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color_of(tone));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+std::optional<std::string> text_field(const std::string& label, const std::string& text, bool wrong,
+                                      const std::string& hint) {
+  ImGui::PushID(label.c_str());
+  show_label(label);
+  std::string now = text;
+  if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, kWrong);
+  const bool changed = ImGui::InputTextWithHint("##text", hint.c_str(), &now);
+  if (wrong) ImGui::PopStyleColor();
+  ImGui::PopID();
+  return changed ? std::optional(now) : std::nullopt;
+}
+
+std::optional<std::string> bare_field(const char* id, const std::string& text, float letters,
+                                      bool wrong) {
+  const float width = letters * ImGui::GetFontSize() / 2 + 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetNextItemWidth(letters > 0 ? width : -1);
+  std::string now = text;
+  if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, kWrong);
+  const bool changed = ImGui::InputText(id, &now);
+  if (wrong) ImGui::PopStyleColor();
+  return changed ? std::optional(now) : std::nullopt;
+}
+
+std::optional<std::string> word_field(const std::string& label, const std::string& word,
+                                      const std::vector<std::string>& words) {
+  std::optional<std::string> chosen;
+  ImGui::PushID(label.c_str());
+  show_label(label);
+  if (ImGui::BeginCombo("##words", word.c_str())) {
+    for (const std::string& each : words) {
+      if (ImGui::Selectable(each.c_str(), each == word)) chosen = each;
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::PopID();
+  return chosen;
+}
+
+std::optional<Color> color_chip(const char* id, const Color& color) {
+  std::array<float, 3> rgb{static_cast<float>(color.r.value), static_cast<float>(color.g.value),
+                           static_cast<float>(color.b.value)};
+  constexpr ImGuiColorEditFlags kFlags = ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel;
+  if (!ImGui::ColorEdit3(id, rgb.data(), kFlags)) return std::nullopt;
+  constexpr double kSteps = 255;
+  const auto channel = [](float value) { return std::round(kSteps * value) / kSteps; };
+  return Color{channel(rgb[0]), channel(rgb[1]), channel(rgb[2]), color.a};
+}
+
+bool icon_button(Icon icon, const char* tip) {
+  const float side = icon_side();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::PushID(static_cast<int>(icon));
+  const bool pressed = ImGui::InvisibleButton("##icon", {side, ImGui::GetFrameHeight()});
+  ImGui::PopID();
+  const ImGuiCol tone = ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_TextDisabled;
+  draw_icon(*ImGui::GetWindowDrawList(), icon,
+            {corner.x + side / 2, corner.y + ImGui::GetFrameHeight() / 2}, 0.36F * side,
+            ImGui::GetColorU32(tone));
+  show_tip(tip);
+  return pressed;
+}
+
+float icons_width(int count) {
+  return static_cast<float>(count) * (icon_side() + ImGui::GetStyle().ItemSpacing.x);
+}
+
+void show_error(const Error& error) {
+  show_place(error.place());
+  show_wrapped(Tone::Wrong, error.what());
+  if (!error.hint().empty()) show_wrapped(Tone::Quiet, error.hint());
+}
+
+std::string for_panel(const std::string& sentence) {
+  std::string text;
+  for (std::size_t i = 0; i < sentence.size(); ++i) {
+    const bool begins = i == 0 || sentence[i - 1] == ' ';
+    const bool is_dashes = begins && sentence.compare(i, 2, "--") == 0;
+    if (is_dashes) {
+      ++i;
+    } else {
+      text += sentence[i];
+    }
+  }
+  return text;
+}
+
+void show_tip(const std::string& text) {
+  if (!ImGui::IsItemHovered() || ImGui::IsAnyItemActive()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(20 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+}  // namespace saddle

@@ -1,0 +1,53 @@
+// Parts that the panel is made of: texts, fields with labels, small buttons, errors with their
+// places.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "scene/model/scene.h"
+
+namespace saddle {
+
+enum class Tone { Plain, Quiet, Wrong, Warning };
+
+/// Text in as many lines as the panel's width needs.
+void show_wrapped(Tone tone, const std::string& text);
+
+/// A field for a line of text with its label before it; what it was changed to. `hint`: shown while
+/// there is no text. `wrong`: in Tone::Wrong.
+std::optional<std::string> text_field(const std::string& label, const std::string& text,
+                                      bool wrong = false, const std::string& hint = "");
+
+/// The same without a label, of a width in letters; 0: all that there is. `id` tells it from
+/// others.
+std::optional<std::string> bare_field(const char* id, const std::string& text, float letters,
+                                      bool wrong = false);
+
+/// One of some words; what it was changed to.
+std::optional<std::string> word_field(const std::string& label, const std::string& word,
+                                      const std::vector<std::string>& words);
+
+/// A little square of a colour, which opens a picker; what it was changed to.
+std::optional<Color> color_chip(const char* id, const Color& color);
+
+enum class Icon { Eye, ClosedEye, Copy, Delete, Up, Play, Stop };
+
+/// A button as large as a letter; true if it was pressed.
+bool icon_button(Icon icon, const char* tip);
+/// The width of `count` of them, side by side.
+float icons_width(int count);
+
+/// The wrong part of the error's text, the message and the hint.
+void show_error(const Error& error);
+
+/// A sentence with the panel's fields in place of the command line's options: "clip off" for
+/// "--clip off".
+std::string for_panel(const std::string& sentence);
+
+/// The tooltip of the last thing, unless a hand is at work.
+void show_tip(const std::string& text);
+
+}  // namespace saddle

@@ -1,0 +1,188 @@
+#include "view/picture/drawing.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "render/picture/light_findings.h"
+#include "view/picture/marks.h"
+
+namespace saddle {
+namespace {
+
+/// A moving picture is drawn more coarsely if it takes longer than this, and finer if that, with
+/// four times the samples, is not to be expected: an eye takes 25 pictures a second for a movement.
+constexpr double kSlowMs = 35;
+constexpr double kCoarsest = 0.125;
+
+/// The first picture, of which nothing is known, has at most so many samples.
+constexpr double kFirstSamples = 1e6;
+
+/// Parts of a picture that rests, in pixels each way. They are smaller if one takes longer than
+/// this: a key waits for it; larger if all are quicker than that: each part takes all corners of
+/// the mesh.
+constexpr int kSmallestPart = 128;
+constexpr int kLargestPart = 1024;
+constexpr double kSlowPartMs = 24;
+constexpr double kQuickPartMs = 6;
+
+/// draw() returns after this time, and has something to show after that one.
+constexpr std::chrono::milliseconds kTurn{12};
+constexpr std::chrono::milliseconds kShowEvery{250};
+
+/// Length of the normals shown, as a share of the surface's size.
+constexpr double kNormalLength = 0.03;
+
+double ms_of(Drawing::Clock::duration d) {
+  return std::chrono::duration<double, std::milli>(d).count();
+}
+
+}  // namespace
+
+Drawing::Drawing() : part_side_(kSmallestPart) {}
+
+void Drawing::take_meshes(const Model& model) {
+  const auto& meshes = model.meshes();
+  Scene scene = model.last_good().scene;
+  scene.picture.shading = model.scene().picture.shading;
+  const bool exact = draws_parameters(scene);
+  // Without meshes until all of them are there: uploading may throw.
+  auto before = std::exchange(uploaded_, {});
+  if (exact && !exact_) before.clear();
+  exact_ = exact;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (i < before.size() && before[i] == meshes[i]) continue;
+    renderer_.set_surface(scene, i, meshes[i]->mesh);
+  }
+  is_new_ = is_new_ || before.empty();
+  renderer_.keep_meshes(meshes.size());
+  uploaded_ = meshes;
+  make_marks(model);
+  change();
+}
+
+/// Normals, if they are wanted.
+void Drawing::make_marks(const Model& model) {
+  has_marks_ = model.view().normals;
+  renderer_.remove_marks();
+  Mesh marks;
+  if (has_marks_) {
+    for (const Instance& instance : instances(model.last_good().scene)) {
+      append_normal_marks(model.meshes()[instance.surface]->mesh, instance.to_world,
+                          kNormalLength * model.surface_size(), marks);
+    }
+  }
+  if (!marks.lines.empty()) renderer_.set_marks(marks);
+}
+
+void Drawing::change() {
+  stage_ = Stage::Stale;
+  moved_ = Clock::now();
+}
+
+bool Drawing::is_due(Clock::time_point now) const {
+  if (stage_ == Stage::Coarse) return now >= moved_ + kRest;
+  return stage_ != Stage::Done;
+}
+
+std::optional<Drawing::Clock::time_point> Drawing::due() const {
+  if (stage_ == Stage::Done) return std::nullopt;
+  return stage_ == Stage::Coarse ? moved_ + kRest : Clock::time_point();
+}
+
+bool Drawing::draw(const Model& model) {
+  const auto begin = Clock::now();
+  if (!is_due(begin)) return false;
+  if (!exact_ && draws_parameters(model.scene())) take_meshes(model);
+  if (has_marks_ != model.view().normals) make_marks(model);
+  if (uploaded_ != model.meshes()) {
+    give_up();
+    return false;
+  }
+  const bool is_stale = stage_ == Stage::Stale;
+  if (is_stale) {
+    draw_whole(model);
+  } else {
+    refine(model, begin);
+  }
+  const auto end = Clock::now();
+  spent_ += end - begin;
+  if (!is_stale && stage_ != Stage::Done && end < shown_ + kShowEvery) return false;
+  shown_ = end;
+  return true;
+}
+
+int Drawing::finest(const Model& model) const {
+  return std::min(2, model.scene().picture.antialias);
+}
+
+/// At once, with as many samples as there is time for.
+void Drawing::draw_whole(const Model& model) {
+  const PictureSettings& picture = model.scene().picture;
+  const double most = finest(model);
+  if (per_side_ == 0) {
+    per_side_ = 1;
+    while (per_side_ * per_side_ * picture.width * picture.height > kFirstSamples) per_side_ /= 2;
+  }
+  const double per_side = std::min(per_side_, most);
+  const Scene scene = model.drawn_scene();
+  const FittedCamera camera = model.grip().fitted;
+  const Look look = model.look();
+  const auto begin = Clock::now();
+  canvas_.draw(renderer_, {scene, camera, look}, picture.width, picture.height, per_side,
+               finest(model));
+  const double passed = ms_of(Clock::now() - begin);
+  stage_ = per_side < most ? Stage::Coarse : Stage::Done;
+  cursor_ = {};
+  ++figures_.frames;
+  figures_.warnings = renderer_.warnings();
+  if (const auto dark = no_light(model.scene())) figures_.warnings.push_back(warning_of(*dark));
+  if (std::exchange(is_new_, false)) return;
+  figures_.moving_ms = passed;
+  adapt(passed);
+}
+
+void Drawing::adapt(double milliseconds) {
+  while (milliseconds > kSlowMs && per_side_ > kCoarsest) {
+    per_side_ /= 2;
+    milliseconds /= 4;
+  }
+  if (4 * milliseconds < kSlowMs && per_side_ < 2) per_side_ *= 2;
+}
+
+/// Some parts of the picture, from the top, with all of their samples.
+bool Drawing::refine(const Model& model, Clock::time_point begin) {
+  const PictureSettings& picture = model.scene().picture;
+  const Scene scene = model.drawn_scene();
+  const FittedCamera camera = model.grip().fitted;
+  const Look look = model.look();
+  stage_ = Stage::Refining;
+  while (cursor_.y < picture.height) {
+    const auto start = Clock::now();
+    if (start > begin + kTurn) return false;
+    const PixelRect part = next_part(picture);
+    canvas_.draw_part(renderer_, {scene, camera, look}, part);
+    advance(part, picture, ms_of(Clock::now() - start));
+  }
+  canvas_.finish();
+  stage_ = Stage::Done;
+  ++figures_.frames;
+  return true;
+}
+
+PixelRect Drawing::next_part(const PictureSettings& picture) const {
+  return {cursor_.x, cursor_.y, std::min(part_side_, picture.width - cursor_.x),
+          std::min(part_side_, picture.height - cursor_.y)};
+}
+
+/// All parts of a row have one size.
+void Drawing::advance(const PixelRect& part, const PictureSettings& picture, double milliseconds) {
+  cursor_.x += part.width;
+  cursor_.slowest_ms = std::max(cursor_.slowest_ms, milliseconds);
+  if (cursor_.x < picture.width) return;
+  const double slowest = cursor_.slowest_ms;
+  cursor_ = {0, cursor_.y + part_side_, 0};
+  if (slowest > kSlowPartMs) part_side_ = std::max(part_side_ / 2, kSmallestPart);
+  if (slowest < kQuickPartMs) part_side_ = std::min(part_side_ * 2, kLargestPart);
+}
+
+}  // namespace saddle

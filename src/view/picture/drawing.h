@@ -1,0 +1,99 @@
+// The picture in the window: what is on the GPU, when it is drawn anew, and how finely. Nothing
+// here takes long: what moves is drawn as coarsely as it must be, what rests part by part.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/picture/canvas.h"
+#include "render/picture/renderer.h"
+#include "view/model/model.h"
+
+namespace saddle {
+
+/// The cost of drawing.
+struct Figures {
+  std::size_t frames = 0;             ///< pictures drawn so far
+  std::optional<double> moving_ms;    ///< of the last one that was drawn while something moved
+  std::vector<std::string> warnings;  ///< in which ways it is not what was asked for
+};
+
+/// Needs the window's context from the first to the last of its calls.
+class Drawing {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  Drawing();
+
+  /// Uploads those meshes that are not on the GPU yet.
+  void take_meshes(const Model& model);
+
+  /// The visible picture has changed.
+  void change();
+
+  /// The picture is not what it should be, and draw() can go on at once.
+  bool is_due(Clock::time_point now) const;
+  /// When it will be able to, if that is later.
+  std::optional<Clock::time_point> due() const;
+  /// The picture is what it should be.
+  bool is_at_rest() const { return stage_ == Stage::Done; }
+  /// Parts of it are.
+  bool is_refining() const { return stage_ == Stage::Refining; }
+
+  /// Goes on for some hundredths of a second; true if there is something new to show.
+  bool draw(const Model& model);
+  /// Keeps the picture that is there until another change.
+  void give_up() { stage_ = Stage::Done; }
+  /// Copies it to the window, its left side at pixel x.
+  void show(int x) const { canvas_.show(x, 0); }
+  /// The picture's pixels.
+  Image read() const { return canvas_.read(); }
+
+  const Figures& figures() const { return figures_; }
+  Clock::duration spent() const { return spent_; }  ///< on drawing
+
+ private:
+  /// A picture that is coarse becomes fine once nothing has moved for so long.
+  static constexpr std::chrono::milliseconds kRest{120};
+
+  enum class Stage {
+    Stale,     ///< the picture is not what is to be seen
+    Coarse,    ///< it has fewer samples than it should
+    Refining,  ///< parts of it, from the top, have as many
+    Done
+  };
+
+  /// The next part of the picture to be refined is at (x, y).
+  struct Cursor {
+    int x = 0, y = 0;
+    double slowest_ms = 0;  ///< of the parts of its row so far
+  };
+
+  void make_marks(const Model& model);
+  void draw_whole(const Model& model);
+  void adapt(double milliseconds);
+  bool refine(const Model& model, Clock::time_point begin);
+  PixelRect next_part(const PictureSettings& picture) const;
+  void advance(const PixelRect& part, const PictureSettings& picture, double milliseconds);
+  int finest(const Model& model) const;
+
+  Renderer renderer_;
+  Canvas canvas_;
+  std::vector<std::shared_ptr<const SightedMesh>> uploaded_;
+  bool exact_ = false;  ///< with what exact normals need
+  bool has_marks_ = false;
+  bool is_new_ = true;  ///< shaders may have to be compiled
+  Stage stage_ = Stage::Stale;
+  double per_side_ = 0;  ///< samples of what moves, per pixel and side; 0: none was drawn yet
+  Cursor cursor_;
+  int part_side_;  ///< of a part, which is a square unless the picture ends, in pixels
+  Clock::time_point moved_;
+  Clock::time_point shown_;  ///< when draw() has last had something to show
+  Figures figures_;
+  Clock::duration spent_{};
+};
+
+}  // namespace saddle

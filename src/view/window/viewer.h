@@ -1,0 +1,135 @@
+// The viewer: a window that shows a scene, and a hand, a keyboard and a panel that change it. It
+// waits, takes what happened, changes the model and draws what has changed; nothing is drawn while
+// nothing happens.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "view/model/hand.h"
+#include "view/model/model.h"
+#include "view/model/session.h"
+#include "view/panel/chooser.h"
+#include "view/panel/overlay.h"
+#include "view/panel/panel.h"
+#include "view/panel/start_page.h"
+#include "view/picture/drawing.h"
+#include "view/picture/saver.h"
+#include "view/picture/thumbnails.h"
+#include "view/window/window.h"
+
+namespace saddle {
+
+/// The time that a viewer has spent, by task.
+struct Spent {
+  std::chrono::steady_clock::duration busy{};     ///< from what happened to the screen
+  std::chrono::steady_clock::duration drawing{};  ///< of that, pictures
+  std::chrono::steady_clock::duration showing{};  ///< copying them to the window, with the panel
+  std::size_t frames = 0;
+};
+
+class Viewer {
+ public:
+  /// Opens a window. Throws Error (Machine) without a display or OpenGL 3.3.
+  explicit Viewer(ViewerSetup setup);
+
+  /// Returns when the window is closed. Errors of the scene and of drawing are shown in it.
+  void run();
+
+  /// One round: waits until something happens, does it and draws.
+  void step();
+  /// The window is to close, and nothing that it waits for goes on.
+  bool is_to_end();
+
+  /// A hand or a keyboard does something: for tests.
+  void receive(const Event& event) { window_.receive(event); }
+  bool has_events() const { return window_.has_events(); }
+  /// Nothing has happened that is not shown yet, and nothing goes on.
+  bool is_at_rest() const;
+  const Model& model() const { return model_; }
+  Spent spent() const { return {busy_, drawing_.spent(), showing_, paints_}; }
+  const Drawing& drawing() const { return drawing_; }
+
+ private:
+  using Clock = Model::Clock;
+
+  /// Work is kept when nothing has changed for so long.
+  static constexpr std::chrono::seconds kKeep{1};
+
+  std::optional<double> patience() const;
+  void print_times() const;
+  void touch();
+  void change_picture();
+  void say(const std::string& text);
+  void handle(const Event& event);
+  void press(const Event& event);
+  bool is_taken_from_panel(const Event& event) const;
+  void key(const std::string& name);
+  bool can(Action action) const;
+  void act(Action action);
+  bool act_on_window(Action action);
+  bool act_on_files(Action action);
+  void dismiss();
+  void copy(Action action);
+  void list_actions();
+  void list_gallery();
+  void list_files();
+  void show_scene(Scene scene, std::function<Scene()> reload);
+  void open(const std::filesystem::path& path);
+  void restore_work();
+  void keep_work(bool now);
+  void look_at_file();
+  dvec2 in_picture(const dvec2& place) const { return {place.x - panel_width(), place.y}; }
+  bool is_over_picture(const Event& event) const;
+  double panel_width() const;
+  void fit_picture();
+  void react();
+  void paint();
+  void show_panels();
+  bool draw_thumbnails();
+  void show_start();
+  bool draw();
+  Overlay overlay();
+
+  bool verbose_;
+  std::filesystem::path watched_;
+  std::filesystem::file_time_type written_;  ///< when that file was, as far as is known
+  Clock::time_point looked_;
+  Window window_;
+  Drawing drawing_;
+  Hand hand_;
+  Panel panel_;
+  Chooser chooser_;
+  Thumbnails thumbnails_;
+  StartPage start_page_;
+  Session session_;
+  bool has_work_ = false;  ///< another window has left some
+  // Versions of the history.
+  static constexpr std::size_t kNever = -1;
+  std::size_t seen_ = 0;   ///< in the last step
+  std::size_t kept_ = 0;   ///< whose scene is kept as work
+  std::size_t saved_ = 0;  ///< whose scene is in a file
+  Clock::time_point changed_;
+  std::string title_;  ///< the window's
+  std::size_t paints_ = 0;
+  Clock::duration busy_{};     ///< from what happened to the screen
+  Clock::duration showing_{};  ///< of that, copying pictures to the window, with the panel
+  bool closing_ = false;
+  bool insisting_ = false;  ///< not even files that are being written are waited for
+  bool panel_shown_ = true;
+  bool help_shown_ = false;
+  bool start_shown_;
+  bool is_drawing_thumbnails_ = false;
+  bool is_typing_ = false;  ///< the last key went to a field, and the picture was not pressed since
+  int to_paint_;            ///< frames that the window still needs
+  std::string message_;
+  Clock::time_point message_end_;
+  // The last members: their threads wake the window.
+  Saver saver_;
+  Model model_;
+};
+
+}  // namespace saddle

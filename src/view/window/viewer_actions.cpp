@@ -1,0 +1,251 @@
+// The actions of keys, menus and lists on the window: what is no business of the model's.
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+#include "export/load_scene.h"
+#include "scene/model/gallery.h"
+#include "scene/options/command_text.h"
+#include "scene/toml/scene_file.h"
+#include "view/model/files.h"
+#include "view/panel/fields.h"
+#include "view/window/viewer.h"
+
+namespace saddle {
+namespace {
+
+/// The size of the start page's pictures, in pixels of the user's.
+constexpr double kThumbnailWidth = 132;
+constexpr double kThumbnailHeight = 99;
+
+std::string key_and_help(const ActionRow& row) {
+  const std::string key = row.key;
+  return key.empty() ? row.help : key + "   " + row.help;
+}
+
+}  // namespace
+
+bool Viewer::can(Action action) const {
+  const Needs needs = row_of(action).needs;
+  return needs == Needs::Work ? has_work_ : model_.has(needs);
+}
+
+void Viewer::act(Action action) {
+  if (!can(action)) return say(lack_of(row_of(action).needs));
+  try {
+    if (!act_on_window(action) && !act_on_files(action) && model_.act(action)) {
+      if (action == Action::New) start_shown_ = false;
+      change_picture();
+    }
+  } catch (...) {
+    say(caught_error().what());
+  }
+  touch();
+}
+
+bool Viewer::act_on_window(Action action) {
+  switch (action) {
+    case Action::Panel:
+      panel_shown_ = !panel_shown_;
+      return true;
+    case Action::FullScreen:
+      window_.toggle_full_screen();
+      return true;
+    case Action::Help:
+      help_shown_ = !help_shown_;
+      return true;
+    case Action::Dismiss:
+      dismiss();
+      return true;
+    case Action::Actions:
+      list_actions();
+      return true;
+    case Action::Quit:
+      insisting_ = closing_;
+      closing_ = true;
+      if (saver_.is_busy()) say("saving; quit again to leave without the picture");
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool Viewer::act_on_files(Action action) {
+  switch (action) {
+    case Action::Start:
+      start_shown_ = true;
+      return true;
+    case Action::Open:
+      list_files();
+      return true;
+    case Action::Gallery:
+      list_gallery();
+      return true;
+    case Action::Restore:
+      restore_work();
+      return true;
+    case Action::SavePicture:
+      saver_.save_picture(model_.scene_to_save());
+      return true;
+    case Action::SaveScene: {
+      const auto path = save_scene(model_.scene_to_save());
+      say("saved " + path.string());
+      session_.remember_file(path);
+      kept_ = saved_ = model_.history().version();
+      session_.forget_work();
+      return true;
+    }
+    case Action::CopyCommand:
+    case Action::CopyScene:
+      copy(action);
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Closes the uppermost thing; the last is the field, which gives the keyboard to the picture.
+void Viewer::dismiss() {
+  if (is_popup_open()) {
+    close_popups();
+    is_typing_ = false;
+  } else if (help_shown_) {
+    help_shown_ = false;
+  } else if (start_shown_) {
+    start_shown_ = model_.scene().surfaces.empty();
+  } else {
+    is_typing_ = false;
+    message_.clear();
+  }
+}
+
+void Viewer::copy(Action action) {
+  const Scene scene = model_.scene_to_save();
+  const auto text = action == Action::CopyScene ? write_scene(scene) : command_text(scene);
+  if (!text) return say("only a scene file can say this: press C");
+  window_.set_clipboard(*text);
+  say(action == Action::CopyScene ? "copied the scene" : "copied the command");
+}
+
+// --- lists
+
+void Viewer::list_actions() {
+  chooser_.open("what to do", "", [this](const std::string& query) {
+    std::vector<Choice> choices;
+    for (const ActionRow& row : action_table()) {
+      if (row.menu == Menu::None) continue;
+      choices.push_back({row.name, key_and_help(row), can(row.action),
+                         [this, action = row.action] { act(action); }});
+    }
+    return matching(std::move(choices), query);
+  });
+}
+
+void Viewer::list_gallery() {
+  chooser_.open("a surface of the gallery", "", [this](const std::string& query) {
+    std::vector<Choice> choices;
+    for (const GalleryEntry& entry : gallery()) {
+      choices.push_back({std::string(entry.name), std::string(entry.description), true,
+                         [this, &entry] { show_scene(gallery_scene(entry), {}); }});
+    }
+    return matching(std::move(choices), query);
+  });
+}
+
+void Viewer::list_files() {
+  chooser_.open("a file, such as ~/scenes/torus.toml", "", [this](const std::string& query) {
+    std::vector<Choice> choices;
+    if (query.empty()) {
+      for (const auto& path : session_.recent_files()) {
+        choices.push_back(
+            {path.filename(), path.parent_path(), true, [this, path] { open(path); }});
+      }
+      choices.push_back({"../", "the folder above", true, {}, "../"});
+    }
+    for (const FoundFile& file : find_files(query)) {
+      Choice choice{file.path, "", true, [this, file] { open(typed_path(file.path)); }};
+      if (file.is_folder) choice.query = file.path;
+      choices.push_back(std::move(choice));
+    }
+    const auto whole = typed_path(query);
+    std::error_code ignored;
+    if (choices.empty() && std::filesystem::is_regular_file(whole, ignored)) {
+      choices.push_back({query, "", true, [this, whole] { open(whole); }});
+    }
+    return choices;
+  });
+}
+
+// --- scenes
+
+/// In place of the one that is shown, which undo() brings back.
+void Viewer::show_scene(Scene scene, std::function<Scene()> reload) {
+  model_.open(std::move(scene), std::move(reload));
+  kept_ = saved_ = model_.history().version();
+  start_shown_ = help_shown_ = is_typing_ = false;
+  change_picture();
+}
+
+/// A file that cannot be opened leaves the scene that is shown, with a message.
+void Viewer::open(const std::filesystem::path& path) {
+  try {
+    const auto whole = std::filesystem::absolute(path);
+    show_scene(load_scene(whole), [whole] { return load_scene(whole); });
+    session_.remember_file(whole);
+    if (!watched_.empty()) watched_ = whole;
+  } catch (...) {
+    say(format_error(caught_error()));
+  }
+}
+
+/// It stays unsaved.
+void Viewer::restore_work() {
+  const auto path = session_.left_work();
+  if (!path) return say("there is no unsaved work");
+  show_scene(load_scene(*path), {});
+  kept_ = saved_ = kNever;
+  std::error_code ignored;
+  std::filesystem::remove(*path, ignored);
+  has_work_ = session_.left_work().has_value();
+}
+
+/// Keeps what was changed and is not saved, some time after the last change, or `now`. A scene with
+/// a mistake could not be read again.
+void Viewer::keep_work(bool now) {
+  const std::size_t version = model_.history().version();
+  if (version != seen_) changed_ = Clock::now();
+  seen_ = version;
+  if (kept_ == version || (!now && Clock::now() < changed_ + kKeep)) return;
+  kept_ = version;
+  if (version == saved_) return session_.forget_work();
+  if (!model_.error()) session_.keep_work(write_scene(model_.scene_to_save()));
+}
+
+// --- the start page
+
+bool Viewer::draw_thumbnails() {
+  const double scale = window_.scale();
+  thumbnails_.fit(static_cast<int>(kThumbnailWidth * scale),
+                  static_cast<int>(kThumbnailHeight * scale));
+  return is_drawing_thumbnails_ = thumbnails_.draw();
+}
+
+void Viewer::show_start() {
+  StartPage& page = start_page_;
+  page.recent = session_.recent_files();
+  page.has_work = has_work_;
+  page.thumbnail = [this](std::size_t entry) { return thumbnails_.texture(entry); };
+  page.thumbnail_width = kThumbnailWidth * window_.scale();
+  page.thumbnail_height = kThumbnailHeight * window_.scale();
+  show_start_page(page, panel_.is_confirmed() && !chooser_.is_open());
+  if (page.entry) {
+    show_scene(gallery_scene(gallery()[*page.entry]), {});
+  } else if (page.file) {
+    open(*page.file);
+  } else if (page.action) {
+    act(*page.action);
+  }
+  if (!start_shown_) is_drawing_thumbnails_ = false;
+}
+
+}  // namespace saddle

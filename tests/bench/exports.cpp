@@ -1,0 +1,99 @@
+// What each format of meshes costs beside PLY: a torus of a million vertices, written to a file
+// among the temporary ones. Usage: saddle_exports. Exit 1 if a format takes longer than its limit.
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <ostream>
+#include <string>
+
+#include "base/file.h"
+#include "base/heap.h"
+#include "export/formats.h"
+#include "meshing/tessellate.h"
+#include "scene/model/gallery.h"
+#include "scene/options/resolve.h"
+
+namespace saddle {
+namespace {
+
+constexpr int kRounds = 5;
+constexpr int kSide = 1000;
+
+/// Processor time of all threads, milliseconds.
+double spent() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  const auto milliseconds = [](const timeval& t) {
+    return 1e3 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_usec);
+  };
+  return milliseconds(used.ru_utime) + milliseconds(used.ru_stime);
+}
+
+struct Row {
+  const char* name;
+  const char* extension;
+  bool one_sheet;  ///< both sides of the surface are alike
+  double limit;    ///< times the PLY's
+};
+
+// Text takes numbers to digits, and 3MF deflate at its least effort, which is most of its time.
+constexpr Row kRows[] = {{"PLY", "ply", false, 1},           {"STL", "stl", false, 3},
+                         {"GLB, one sheet", "glb", true, 2}, {"GLB, two sheets", "glb", false, 4},
+                         {"OBJ", "obj", false, 20},          {"3MF", "3mf", false, 40}};
+
+/// The least time of several rounds, and the bytes.
+double time_of(const Row& row, const MeshContent& content, std::uintmax_t& bytes) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("saddle-exports-" + std::to_string(getpid()));
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kRounds; ++i) {
+    const double begin = spent();
+    write_file_whole(
+        file, [&](std::ostream& out) { find_format(row.extension)->write_mesh(out, content); });
+    least = std::min(least, spent() - begin);
+    bytes = std::filesystem::file_size(file);
+    std::filesystem::remove(file);
+  }
+  return least;
+}
+
+bool run() {
+  Scene scene = gallery_scene(*find_gallery_entry("torus"));
+  scene.surfaces[0].grid_u = scene.surfaces[0].grid_v = 0;
+  scene.surfaces[0].u.max = "6";  // open, so that both sides can be seen
+  scene.mesh.samples = GridSize{kSide, kSide};
+  scene = resolve(scene);
+  Purpose purpose;
+  purpose.mesh = true;
+  const Mesh mesh = tessellate(scene, scene.surfaces[0], purpose, 0).mesh;
+  const std::vector<Shells> shells = {shells_of(mesh)};
+  std::printf("%zu vertices, %zu triangles; milliseconds of processor time\n", mesh.position.size(),
+              mesh.triangles.size());
+  std::printf("%-16s %8s %8s %8s %8s\n", "format", "ms", "x PLY", "limit", "MB");
+  double ply = 0;
+  bool is_good = true;
+  for (const Row& row : kRows) {
+    Scene own = scene;
+    if (row.one_sheet) own.surfaces[0].back = own.surfaces[0].front;
+    std::uintmax_t bytes = 0;
+    const double time = time_of(row, {{&mesh, 1}, own, shells}, bytes);
+    if (ply == 0) ply = time;
+    const bool is_slow = time > row.limit * ply;
+    is_good = is_good && !is_slow;
+    std::printf("%-16s %8.0f %8.1f %8.0f %8.1f%s\n", row.name, time, time / ply, row.limit,
+                1e-6 * static_cast<double>(bytes), is_slow ? "  too slow" : "");
+  }
+  return is_good;
+}
+
+}  // namespace
+}  // namespace saddle
+
+int main() {
+  saddle::use_huge_pages();
+  return saddle::run() ? 0 : 1;
+}
