@@ -21,11 +21,11 @@ namespace {
 constexpr std::size_t kMostTriangles = 4'000'000;
 constexpr std::size_t kEnoughTriangles = 1'000'000;
 /// The triangles of all surfaces of a scene together. Each has the same share, but at least that of
-/// a small one. The share bounds its work, too: half a minute for all.
-constexpr std::size_t kMostOfAll = 12'000'000;
-constexpr std::size_t kLeastShareOfAll = 1'000;
+/// a small one. The share bounds its work, too: 45 seconds for all.
+constexpr std::size_t kMostOfAll = 6'000'000;
+constexpr std::size_t kLeastShareOfAll = 300;
 /// The effort of all surfaces together that does not depend on triangles: ten seconds.
-constexpr std::size_t kLeastEffortOfAll = 40'000'000;
+constexpr std::size_t kLeastEffortOfAll = 20'000'000;
 /// A mesh takes 1 kB for each triangle when it is finished, and twice as much is left for the steps
 /// of the heap's growth and for the picture or file that is made of it.
 constexpr std::uint64_t kBytesPerTriangle = 3000;

@@ -147,7 +147,10 @@ def corpus(short):
         Case("more samples than memory", ["torus", "--samples", "8192x8192", "--max-memory", "2GB",
                                           "-o", "a.ply"], statuses=(1,), says="out of memory"),
         Case("a texture of 16384x16384", DRAW, lambda: {
-            "s.toml": '[[surface]]\nz="u"\ntexture="e.png"\n', "e.png": png(side=16384)}),
+            "s.toml": '[[surface]]\nz="u"\ntexture="e.png"\n', "e.png": png(side=16384)},
+             statuses=(2,), says="8192x8192"),
+        Case("the largest texture", DRAW, lambda: {
+            "s.toml": '[[surface]]\nz="u"\ntexture="e.png"\n', "e.png": png(side=8192)}),
         Case("a picture of white", ["e.png", "-o", "a.png"], lambda: {"e.png": png(side=16384)},
              statuses=(2,), says="holds no scene", seconds=10, bytes=1.6 * GIGABYTE),
     ]
