@@ -1,4 +1,5 @@
 // The program: a command line becomes a command, an Error an exit status.
+#include <cstdint>
 #include <cstdlib>
 
 #include "app/command_line/cli.h"
@@ -8,6 +9,7 @@
 #include "app/run/outputs.h"
 #include "base/error.h"
 #include "base/heap.h"
+#include "base/run_limits.h"
 #include "base/standard_streams.h"
 #include "base/temporary.h"
 
@@ -46,6 +48,9 @@ int run_program(int argc, char** argv) {
   saddle::CommandLine line;
   try {
     saddle::parse_command_line(argc, argv, line);
+    if (line.run.max_time) saddle::limit_time(*line.run.max_time);
+    saddle::limit_memory(line.run.max_memory ? static_cast<std::uint64_t>(*line.run.max_memory)
+                                             : saddle::usual_memory_limit());
   } catch (...) {
     const saddle::Error error = saddle::caught_error();
     saddle::remove_results_of_comparison(line);

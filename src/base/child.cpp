@@ -43,14 +43,20 @@ class FileActions {
   posix_spawn_file_actions_t actions_;
 };
 
-std::string read_all(int from) {
-  std::string text;
-  std::array<char, 4096> buffer{};
+/// Bytes of a program's words that are kept, the last ones.
+constexpr std::size_t kMostWords = 4096;
+
+/// Reads to the end, into `words`. Allocates nothing: it must not fail on a thread of its own.
+void keep_last_words(int from, std::string& words) noexcept {
+  std::array<char, kMostWords> buffer{};
   for (;;) {
     const ssize_t count = read(from, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return text;
-    text.append(buffer.data(), static_cast<std::size_t>(count));
+    if (count <= 0) return;
+    const auto size = static_cast<std::size_t>(count);
+    const std::size_t total = words.size() + size;
+    if (total > kMostWords) words.erase(0, total - kMostWords);
+    words.append(buffer.data(), size);
   }
 }
 
@@ -102,8 +108,9 @@ Child::Child(const std::vector<std::string>& command, const std::string& package
       spawn(command, package, pipes_->to_child.out.number(), pipes_->from_child.in.number(), files);
   pipes_->to_child.out.close_now();
   pipes_->from_child.in.close_now();
+  said_.reserve(kMostWords);
   try {
-    listener_ = std::jthread([this] { said_ = read_all(pipes_->from_child.out.number()); });
+    listener_ = std::jthread([this] { keep_last_words(pipes_->from_child.out.number(), said_); });
   } catch (const std::system_error&) {
     end();
     throw;

@@ -12,8 +12,8 @@
 
 namespace saddle {
 
-/// A program that is at work, fed through a pipe. Its standard output is thrown away; its standard
-/// error is kept for the message of an error. SIGPIPE must be ignored.
+/// A program that is at work, fed through a pipe. Its standard output is thrown away; the end of
+/// its standard error is kept for the message of an error. SIGPIPE must be ignored.
 class Child {
  public:
   /// Runs `command` (the program, looked up in PATH, and its arguments). It inherits the

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <new>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "base/printable.h"
+#include "base/run_limits.h"
 
 namespace saddle {
 namespace {
@@ -124,9 +126,13 @@ Error caught_error() {
     return error;
   } catch (const std::bad_alloc&) {
     return {Status::Machine,
-            "out of memory",
+            memory_refusal(),
             {},
-            "fewer cells (--samples) or a smaller picture (--size) need less"};
+            "less takes less: --max-triangles, --samples, --grid, --size, --antialias"};
+  } catch (const std::length_error&) {
+    return {Status::Machine, "out of memory: more is asked for than any machine has"};
+  } catch (const Overtime&) {
+    return {Status::Machine, time_refusal(), {}, "more time, a larger --tolerance or --size"};
   } catch (const std::system_error& error) {
     if (error.code() != std::errc::resource_unavailable_try_again) {
       return {Status::Machine, error.what()};

@@ -1,6 +1,7 @@
 #include "base/file.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -8,8 +9,8 @@
 #include <cerrno>
 #include <charconv>
 #include <cstddef>
-#include <deque>
 #include <optional>
+#include <ranges>
 #include <streambuf>
 #include <string_view>
 #include <system_error>
@@ -77,8 +78,8 @@ class DescriptorBuffer : public std::streambuf {
 using Writer = std::function<void(std::ostream&)>;
 
 /// Runs `write` on the descriptor. `path` is for messages.
-void write_through(const Descriptor& file, const fs::path& path, const Writer& write) {
-  DescriptorBuffer buffer(file.number());
+void write_through(int number, const fs::path& path, const Writer& write) {
+  DescriptorBuffer buffer(number);
   std::ostream out(&buffer);
   try {
     write(out);
@@ -107,20 +108,19 @@ std::optional<int> inherited_descriptor(const fs::path& path) {
   return std::nullopt;
 }
 
-/// The file that `path` means once symbolic links are followed; it need not exist.
-fs::path follow_links(const fs::path& path) {
-  fs::path file = path;
-  std::error_code none;
-  for (int i = 0; i < kMostLinks; ++i) {
-    if (!fs::is_symlink(file, none)) return file;
-    const fs::path target = fs::read_symlink(file, none);
-    file = target.is_absolute() ? target : file.parent_path() / target;
-  }
-  fail_write(path, reason(ELOOP));
-}
-
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// Whether a link may have been put there for us to follow: others can write to its folder, and it
+/// belongs to another user than we, root and the folder's owner. Linux refuses such links in
+/// /tmp, fs.protected_symlinks, but only where it follows them itself.
+bool is_foreign_link(const fs::path& link) {
+  struct stat info {};
+  struct stat folder {};
+  if (lstat(link.c_str(), &info) != 0 || stat(folder_of(link).c_str(), &folder) != 0) return false;
+  const bool is_shared = (folder.st_mode & (S_IWGRP | S_IWOTH)) != 0;
+  return is_shared && info.st_uid != geteuid() && info.st_uid != 0 && info.st_uid != folder.st_uid;
 }
 
 bool allowed(const fs::path& path, int mode) {
@@ -165,7 +165,7 @@ Existing check_target(const fs::path& path, const fs::path& file) {
 
 void write_straight(const Descriptor& file, const fs::path& path, const Writer& write) {
   if (!file) fail_write(path, reason(errno));
-  write_through(file, path, write);
+  write_through(file.number(), path, write);
 }
 
 /// Owner and permissions of the file that is replaced. The owner only where the system lets us.
@@ -188,45 +188,6 @@ void flush_to_disk(const Descriptor& file, const fs::path& path) {
   }
 }
 
-/// A file on its way: written beside its name, or straight to what is no regular file.
-class PendingFile {
- public:
-  PendingFile(const fs::path& path, const Writer& write) : path_(path) {
-    if (const std::optional<int> number = inherited_descriptor(path)) {
-      write_straight(Descriptor(fcntl(*number, F_DUPFD_CLOEXEC, 0)), path, write);
-      return;
-    }
-    target_ = follow_links(path);
-    const Existing existing = check_target(path, target_);
-    if (existing && !S_ISREG(existing->st_mode)) {
-      write_straight(Descriptor(open(target_.c_str(), O_WRONLY | O_CLOEXEC)), path, write);
-    } else {
-      write_beside(existing, write);
-    }
-  }
-
-  void give_name() const {
-    if (!temporary_) return;
-    if (rename(temporary_->path().c_str(), target_.c_str()) != 0) fail_write(path_, reason(errno));
-  }
-
- private:
-  void write_beside(const Existing& existing, const Writer& write) {
-    temporary_.emplace(target_);
-    const fs::path& name = temporary_->path();
-    Descriptor file(open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (!file) fail_write(path_, reason(errno));
-    if (existing) keep_owner_and_mode(file, path_, *existing);
-    write_through(file, path_, write);
-    flush_to_disk(file, path_);
-    if (!file.close_now()) fail_write(path_, reason(errno));
-  }
-
-  fs::path path_;
-  fs::path target_;
-  std::optional<TemporaryName> temporary_;
-};
-
 [[noreturn]] void fail_read(const std::string& name, int error) {
   throw Error(Status::Machine, "cannot read " + name + ": " + reason(error));
 }
@@ -247,14 +208,88 @@ std::string read_all(int number, const std::string& name) {
 
 }  // namespace
 
+fs::path follow_links(const fs::path& path) {
+  fs::path file = path;
+  std::error_code none;
+  for (int i = 0; i < kMostLinks; ++i) {
+    if (!fs::is_symlink(file, none)) return file;
+    if (is_foreign_link(file)) {
+      fail_write(path, "another user's link in a folder that others can write to",
+                 "remove the link, or name a file in a folder of your own");
+    }
+    const fs::path target = fs::read_symlink(file, none);
+    file = target.is_absolute() ? target : file.parent_path() / target;
+  }
+  fail_write(path, reason(ELOOP));
+}
+
+/// Either a temporary file beside the target, or a copy for what cannot be replaced by renaming.
+struct StagedFile::Content {
+  explicit Content(const fs::path& path) : path(path), target(path) {}
+
+  fs::path path;
+  fs::path target;
+  std::optional<TemporaryFile> beside = {};
+  std::optional<UnnamedFile> copy = {};
+};
+
+StagedFile::StagedFile(const fs::path& path, const Writer& write)
+    : content_(std::make_unique<Content>(path)) {
+  Content& content = *content_;
+  std::optional<struct stat> existing;
+  const bool is_inherited = inherited_descriptor(path).has_value();
+  if (!is_inherited) {
+    content.target = follow_links(path);
+    existing = check_target(path, content.target);
+  }
+  if (is_inherited || (existing && !S_ISREG(existing->st_mode))) {
+    content.copy.emplace();
+    write_through(content.copy->descriptor(), path, write);
+    return;
+  }
+  const TemporaryFile& file = content.beside.emplace(content.target, 0666);
+  if (file.error() != 0) fail_write(path, reason(file.error()));
+  if (existing) keep_owner_and_mode(file.file(), path, *existing);
+  write_through(file.file().number(), path, write);
+  flush_to_disk(file.file(), path);
+}
+
+StagedFile::StagedFile(StagedFile&&) noexcept = default;
+StagedFile& StagedFile::operator=(StagedFile&&) noexcept = default;
+StagedFile::~StagedFile() = default;
+
+void StagedFile::publish() {
+  if (content_->copy) {
+    return write_file_whole(content_->path,
+                            [this](std::ostream& out) { content_->copy->copy_to(out); });
+  }
+  if (!content_->beside->rename_to(content_->target)) fail_write(content_->path, reason(errno));
+}
+
 void write_file_whole(const fs::path& path, const Writer& write) {
-  PendingFile(path, write).give_name();
+  if (const std::optional<int> number = inherited_descriptor(path)) {
+    return write_straight(Descriptor(fcntl(*number, F_DUPFD_CLOEXEC, 0)), path, write);
+  }
+  const fs::path target = follow_links(path);
+  const Existing existing = check_target(path, target);
+  if (existing && !S_ISREG(existing->st_mode)) {
+    return write_straight(Descriptor(open(target.c_str(), O_WRONLY | O_CLOEXEC)), path, write);
+  }
+  StagedFile(path, write).publish();
 }
 
 void write_files_whole(std::span<const FileToWrite> files) {
-  std::deque<PendingFile> pending;
-  for (const FileToWrite& file : files) pending.emplace_front(file.path, file.write);
-  for (const PendingFile& file : pending) file.give_name();
+  if (files.size() == 1) return write_file_whole(files[0].path, files[0].write);
+  std::vector<StagedFile> staged;
+  for (const FileToWrite& file : files) staged.emplace_back(file.path, file.write);
+  for (StagedFile& file : std::views::reverse(staged)) file.publish();
+}
+
+void allow_many_open_files() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  setrlimit(RLIMIT_NOFILE, &limit);
 }
 
 void check_writable(const fs::path& path) {

@@ -149,6 +149,8 @@ bool decode_header(Reader& reader, png_uint_32& width, png_uint_32& height) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_read_fn(png, &reader, on_read);
   png_set_user_limits(png, kLargestSide, kLargestSide);
+  // A text that has changed by accident is no other text.
+  png_set_crc_action(png, PNG_CRC_DEFAULT, PNG_CRC_ERROR_QUIT);
   png_set_chunk_cache_max(png, kMostTextChunks);
   png_set_chunk_malloc_max(png, kLargestChunk);
   png_read_info(png, info);
@@ -228,23 +230,26 @@ bool is_png(std::string_view bytes) {
   return bytes.starts_with("\x89PNG\r\n\x1A\n");
 }
 
+std::optional<PngSize> size_of_png(std::string_view bytes) {
+  constexpr std::size_t kWidthAt =
+      16;  // behind the signature, and the first chunk's length and name
+  constexpr std::size_t kHeightAt = 20;
+  if (!is_png(bytes) || bytes.size() < kHeightAt + 4) return std::nullopt;
+  const auto number_at = [&](std::size_t at) {
+    return png_get_uint_32(reinterpret_cast<png_const_bytep>(bytes.data() + at));
+  };
+  return PngSize{number_at(kWidthAt), number_at(kHeightAt)};
+}
+
 namespace {
 
 /// Throws Error (Input) for a picture that libpng would call invalid for its size.
 void check_sides(std::string_view bytes, const std::string& name) {
-  constexpr std::size_t kWidthAt =
-      16;  // behind the signature, and the first chunk's length and name
-  constexpr std::size_t kHeightAt = 20;
-  if (bytes.size() < kHeightAt + 4) return;
-  const auto number_at = [&](std::size_t at) {
-    return png_get_uint_32(reinterpret_cast<png_const_bytep>(bytes.data() + at));
-  };
-  const png_uint_32 width = number_at(kWidthAt);
-  const png_uint_32 height = number_at(kHeightAt);
-  if (width <= kLargestSide && height <= kLargestSide) return;
-  throw Error(Status::Input, name + " is " + std::to_string(width) + "x" + std::to_string(height) +
-                                 " pixels; at most " + std::to_string(kLargestSide) +
-                                 " each way are read");
+  const std::optional<PngSize> size = size_of_png(bytes);
+  if (!size || (size->width <= kLargestSide && size->height <= kLargestSide)) return;
+  throw Error(Status::Input, name + " is " + std::to_string(size->width) + "x" +
+                                 std::to_string(size->height) + " pixels; at most " +
+                                 std::to_string(kLargestSide) + " each way are read");
 }
 
 }  // namespace

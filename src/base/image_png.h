@@ -1,9 +1,11 @@
 // PNG files, through libpng.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -34,5 +36,14 @@ bool is_png(std::string_view bytes);
 
 /// The same of a file's bytes; messages call it `name`.
 PngFile decode_png(const std::string& bytes, const std::string& name);
+
+/// Pixels across and down, as the begin of a PNG file's bytes says.
+struct PngSize {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+};
+
+/// Nothing for bytes that end before it.
+std::optional<PngSize> size_of_png(std::string_view bytes);
 
 }  // namespace saddle

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/run_limits.h"
+
 namespace saddle {
 namespace {
 
@@ -33,6 +35,7 @@ struct Loop {
 
 void run_chunk(Loop& loop, std::size_t index) {
   if (loop.abandoned.stop_requested()) throw Abandoned();
+  if (is_long_overtime()) throw Overtime();
   const std::size_t begin = index * loop.chunk;
   loop.body(begin, begin + std::min(loop.chunk, loop.count - begin));
 }

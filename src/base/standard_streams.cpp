@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <csignal>
 #include <iostream>
+#include <mutex>
 #include <system_error>
 
 #include "base/error.h"
@@ -16,6 +17,15 @@ namespace {
 
 /// To the line's begin, and away with what is on it.
 constexpr const char* kClearLine = "\r\033[K";
+
+/// A bar is drawn by a thread of its own.
+std::mutex error_mutex;
+bool is_status_shown = false;
+
+void hide_status() {
+  if (is_status_shown) std::cerr << kClearLine << std::flush;
+  is_status_shown = false;
+}
 
 /// The reader has what it wanted, as in `saddle list | head -1`: the rest goes nowhere.
 void drop_standard_output() {
@@ -32,10 +42,17 @@ void write_lines(std::ostream& out, std::span<const std::string> lines) {
 
 void write_standard_output(const std::function<void(std::ostream&)>& write) {
   errno = 0;
-  write(std::cout);
-  if (std::cout.flush()) return;
-  if (errno == EPIPE) return drop_standard_output();
-  const std::string reason = errno == 0 ? "" : ": " + std::generic_category().message(errno);
+  try {
+    write(std::cout);
+    std::cout.flush();
+  } catch (...) {
+    // The system's reason says more than a writer that found its stream broken.
+    if (std::cout) throw;
+  }
+  const int code = errno;
+  if (std::cout) return;
+  if (code == EPIPE) return drop_standard_output();
+  const std::string reason = code == 0 ? "" : ": " + std::generic_category().message(code);
   throw Error(Status::Machine, "cannot write to standard output" + reason);
 }
 
@@ -48,6 +65,8 @@ void print_lines(std::span<const std::string> lines) {
 }
 
 void tell(std::span<const std::string> lines) {
+  const std::lock_guard lock(error_mutex);
+  hide_status();
   write_lines(std::cerr, lines);
 }
 
@@ -56,15 +75,20 @@ void tell(const std::string& line) {
 }
 
 void tell(const Error& error) {
+  const std::lock_guard lock(error_mutex);
+  hide_status();
   std::cerr << format_error(error);
 }
 
 void show_status(const std::string& line) {
+  const std::lock_guard lock(error_mutex);
   std::cerr << kClearLine << printable(line) << std::flush;
+  is_status_shown = true;
 }
 
 void clear_status() {
-  std::cerr << kClearLine << std::flush;
+  const std::lock_guard lock(error_mutex);
+  hide_status();
 }
 
 void flush_standard_streams() {

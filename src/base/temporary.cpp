@@ -1,18 +1,24 @@
 #include "base/temporary.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <atomic>
 #include <cerrno>
 #include <climits>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
+#include <mutex>
 #include <random>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/error.h"
@@ -20,44 +26,70 @@
 namespace saddle {
 namespace {
 
-/// A handler may neither allocate nor lock, so the names lie in static memory, each guarded by a
-/// lock-free state. More files than slots at a time are written without this help.
-struct Slot {
-  std::atomic<int> state;
-  char path[PATH_MAX];
+/// A temporary file as the handler knows it. A handler may neither allocate nor lock, so entries
+/// and their paths are never freed; a free entry is used again.
+struct Entry {
+  std::atomic<bool> is_live = false;
+  std::vector<char> path = {};  ///< with its zero; changed only while the entry is not live
+  Entry* next = nullptr;
 };
-enum SlotState { kFree, kBusy, kLive };
 
-constexpr int kSlots = 16;
-Slot slots[kSlots];
-static_assert(std::atomic<int>::is_always_lock_free);
+std::atomic<Entry*> entries = nullptr;
+static_assert(std::atomic<Entry*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
-int claim_slot(const std::string& path) {
-  if (path.size() >= PATH_MAX) return -1;
-  for (int i = 0; i < kSlots; ++i) {
-    int expected = kFree;
-    if (!slots[i].state.compare_exchange_strong(expected, kBusy)) continue;
-    std::memcpy(slots[i].path, path.c_str(), path.size() + 1);
-    slots[i].state = kLive;
-    return i;
+/// Entries that are in no use. Only for code outside of the handler.
+struct FreeEntries {
+  std::mutex mutex = {};
+  std::vector<Entry*> list = {};
+};
+
+FreeEntries& free_entries() {
+  static auto* const all = new FreeEntries();  // files may be written until the very end
+  return *all;
+}
+
+Entry* claim_entry(const std::string& path) {
+  FreeEntries& free = free_entries();
+  const std::lock_guard lock(free.mutex);
+  Entry* entry = nullptr;
+  if (free.list.empty()) {
+    entry = new Entry();
+    entry->next = entries;
+    entries = entry;
+  } else {
+    entry = free.list.back();
+    free.list.pop_back();
   }
-  return -1;
+  entry->path.assign(path.c_str(), path.c_str() + path.size() + 1);
+  entry->is_live = true;
+  return entry;
+}
+
+void release_entry(Entry* entry) {
+  entry->is_live = false;
+  FreeEntries& free = free_entries();
+  const std::lock_guard lock(free.mutex);
+  free.list.push_back(entry);
 }
 
 extern "C" void remove_temporaries_and_die(int signal_number) {
-  for (Slot& slot : slots) {
-    if (slot.state == kLive) unlink(slot.path);
+  for (const Entry* entry = entries; entry != nullptr; entry = entry->next) {
+    if (entry->is_live) unlink(entry->path.data());
   }
   // SA_RESETHAND has restored the default; the signal is delivered when this handler returns.
   raise(signal_number);
 }
 
+constexpr int kRandomLetters = 8;  // 36^8 names: a clash in one folder will not happen
+constexpr std::string_view kNameLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
+/// Between a file's name and the random letters. No other program's temporaries look like this.
+constexpr std::string_view kMark = ".saddle-";
+
 std::string random_letters(int count) {
-  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
   std::random_device device;
-  std::uniform_int_distribution<std::size_t> index(0, kLetters.size() - 1);
+  std::uniform_int_distribution<std::size_t> index(0, kNameLetters.size() - 1);
   std::string text;
-  for (int i = 0; i < count; ++i) text += kLetters[index(device)];
+  for (int i = 0; i < count; ++i) text += kNameLetters[index(device)];
   return text;
 }
 
@@ -70,26 +102,93 @@ std::string cut_name(std::string name, std::size_t bytes) {
 }
 
 std::filesystem::path beside(const std::filesystem::path& target) {
-  constexpr int kRandom = 8;  // 36^8 names: a clash in one folder will not happen
-  const std::string name = cut_name(target.filename().string(), NAME_MAX - kRandom - 2);
-  return target.parent_path() / ("." + name + "." + random_letters(kRandom));
+  const std::size_t added = 1 + kMark.size() + kRandomLetters;
+  const std::string name = cut_name(target.filename().string(), NAME_MAX - added);
+  return target.parent_path() / ("." + name + std::string(kMark) + random_letters(kRandomLetters));
+}
+
+/// Whether beside() makes such names.
+bool is_temporary_name(std::string_view name) {
+  if (!name.starts_with('.') || name.size() < kMark.size() + kRandomLetters) return false;
+  const std::string_view end = name.substr(name.size() - kMark.size() - kRandomLetters);
+  return end.starts_with(kMark) &&
+         end.find_first_not_of(kNameLetters, kMark.size()) == std::string_view::npos;
+}
+
+/// Removes a file that its run has left behind: it is ours, and no process holds its lock. A
+/// name that has become another file's meanwhile stays.
+void remove_if_left(int folder, const char* name) {
+  const Descriptor file(
+      openat(folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+  struct stat opened {};
+  struct stat named {};
+  if (!file || fstat(file.number(), &opened) != 0 || !S_ISREG(opened.st_mode)) return;
+  if (opened.st_uid != geteuid() || flock(file.number(), LOCK_EX | LOCK_NB) != 0) return;
+  if (fstatat(folder, name, &named, AT_SYMLINK_NOFOLLOW) != 0) return;
+  if (named.st_ino == opened.st_ino && named.st_dev == opened.st_dev) unlinkat(folder, name, 0);
+}
+
+/// Most names of a folder that are looked at for leftovers: a few hundredths of a second.
+constexpr int kMostNames = 100'000;
+
+void sweep(const std::filesystem::path& folder) {
+  const std::unique_ptr<DIR, int (*)(DIR*)> listing(opendir(folder.c_str()), closedir);
+  if (!listing) return;
+  for (int i = 0; i < kMostNames; ++i) {
+    const dirent* const entry = readdir(listing.get());
+    if (entry == nullptr) return;
+    if (is_temporary_name(entry->d_name)) remove_if_left(dirfd(listing.get()), entry->d_name);
+  }
+}
+
+/// Sweeps a folder once in the life of the process.
+void sweep_once(const std::filesystem::path& folder) {
+  static std::mutex mutex;
+  static auto* const swept = new std::set<std::filesystem::path>();
+  {
+    const std::lock_guard lock(mutex);
+    if (!swept->insert(folder).second) return;
+  }
+  sweep(folder);
+}
+
+/// The folder for files without a name.
+std::string temporary_folder() {
+  const char* const named = std::getenv("TMPDIR");
+  return named == nullptr || *named == '\0' ? "/tmp" : named;
 }
 
 }  // namespace
 
 // The name is registered before the file exists and forgotten after it is gone: a signal at any
 // moment finds it, and removing a file that is not there does no harm.
-TemporaryName::TemporaryName(const std::filesystem::path& target)
-    : path_(beside(target)), slot_(claim_slot(path_.string())) {}
-
-TemporaryName::~TemporaryName() {
-  unlink(path_.c_str());
-  if (slot_ >= 0) slots[slot_].state = kFree;
+TemporaryFile::TemporaryFile(const std::filesystem::path& target, mode_t mode)
+    : path_(beside(target)), entry_(claim_entry(path_.string())) {
+  const std::filesystem::path folder = target.parent_path();
+  sweep_once(folder.empty() ? "." : folder);
+  struct stat info {};
+  do {
+    file_.set(open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
+    if (!file_) break;
+    // Another run may find the file before it is locked, and takes it for a leftover. File systems
+    // without locks have nothing to sweep, either.
+    flock(file_.number(), LOCK_EX);
+  } while (fstat(file_.number(), &info) == 0 && info.st_nlink == 0);
+  error_ = file_ ? 0 : errno;
 }
 
-UnnamedFile::UnnamedFile() {
-  const char* const folder = std::getenv("TMPDIR");
-  std::string name = std::string(folder != nullptr ? folder : "/tmp") + "/saddle-XXXXXX";
+TemporaryFile::~TemporaryFile() {
+  if (!is_kept_) unlink(path_.c_str());
+  release_entry(static_cast<Entry*>(entry_));
+}
+
+bool TemporaryFile::rename_to(const std::filesystem::path& target) {
+  is_kept_ = rename(path_.c_str(), target.c_str()) == 0;
+  return is_kept_;
+}
+
+UnnamedFile::UnnamedFile() : folder_(saddle::temporary_folder()) {
+  std::string name = (std::filesystem::path(folder_) / "saddle-XXXXXX").string();
   descriptor_ = mkostemp(name.data(), O_CLOEXEC);
   if (descriptor_ < 0) {
     throw Error(Status::Machine, "no temporary file " + name + ": " + std::strerror(errno), {},
@@ -100,6 +199,22 @@ UnnamedFile::UnnamedFile() {
 
 UnnamedFile::~UnnamedFile() {
   close(descriptor_);
+}
+
+void UnnamedFile::check_written(const std::string& name,
+                                const std::function<void()>& finish) const {
+  try {
+    finish();
+    struct stat info {};
+    if (fstat(descriptor_, &info) == 0 && info.st_size > 0) return;
+    throw Error(Status::Machine, name + " failed: it has written nothing");
+  } catch (const Error& error) {
+    // A file system that is full refuses the next block.
+    struct statvfs space {};
+    if (fstatvfs(descriptor_, &space) != 0 || space.f_bavail > 0) throw;
+    throw with_hint_line(
+        error, "the folder of temporary files, " + folder_ + ", is full; TMPDIR names another");
+  }
 }
 
 void UnnamedFile::copy_to(std::ostream& out) const {
@@ -118,7 +233,7 @@ void UnnamedFile::copy_to(std::ostream& out) const {
 }
 
 void remove_temporaries_on_signals() {
-  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU}) {
     struct sigaction old {};
     sigaction(signal_number, nullptr, &old);
     if (old.sa_handler == SIG_IGN) continue;  // nohup, or a shell's background job

@@ -4,8 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numbers>
+#include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "formula/instance.h"
 #include "formula/language.h"
@@ -43,7 +46,8 @@ struct Scope::Impl {
 
   Graph& graph;
   View view;
-  std::vector<Entry> entries;
+  std::vector<Entry> entries;  // none is moved once its name is known
+  std::map<std::pair<std::string_view, bool>, std::size_t> known_entries;  // by name, own or not
   std::vector<std::size_t> running;  // entries being parsed, outermost first
   Parameters parameters;
   /// A result of constant(): many numbers of a scene have the same text.
@@ -84,10 +88,16 @@ struct Scope::Impl {
   }
 
   Entry* find(std::string_view name, bool own) {
-    const auto found = std::ranges::find_if(entries, [&](const Entry& entry) {
-      return entry.definition.name == name && entry.definition.own == own;
-    });
-    return found == entries.end() ? nullptr : &*found;
+    const auto found = known_entries.find({name, own});
+    return found == known_entries.end() ? nullptr : &entries[found->second];
+  }
+
+  /// The entries have room for it. Throws Error (Input).
+  void add(Definition definition) {
+    check_name(definition);
+    entries.emplace_back().definition = std::move(definition);
+    const Definition& added = entries.back().definition;
+    known_entries.emplace(std::pair(std::string_view(added.name), added.own), entries.size() - 1);
   }
 
   /// The definition that a name means in a formula of the surface, or in a shared one; nullptr: it
@@ -336,10 +346,7 @@ struct Scope::Impl {
 Scope::Scope(Graph& graph, std::vector<Definition> definitions, View view)
     : impl_(std::make_unique<Impl>(graph, std::move(view))) {
   impl_->entries.reserve(definitions.size());
-  for (Definition& definition : definitions) {
-    impl_->check_name(definition);
-    impl_->entries.emplace_back().definition = std::move(definition);
-  }
+  for (Definition& definition : definitions) impl_->add(std::move(definition));
   for (Impl::Entry& entry : impl_->entries) {
     if (!impl_->view.lazy || is_of_surface(entry.definition)) impl_->resolve(entry);
   }

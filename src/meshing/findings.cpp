@@ -155,6 +155,13 @@ class MeshFindings {
     const std::string off =
         off_by(report_) +
         (report_.worst_place ? ", as at " + place(*report_.worst_place, domain_) : std::string());
+    if (report_.shortage == Shortage::Time) {
+      return "the limit of time stopped refinement, the mesh is" + off + "; --max-time allows more";
+    }
+    if (report_.shortage == Shortage::Memory) {
+      return "the limit of memory stopped refinement, the mesh is" + off +
+             "; --max-memory allows more";
+    }
     if (report_.budget_spent) {
       return "the limit of work stopped refinement, the mesh is" + off +
              "; smaller ranges show more, --max-triangles allows more work";

@@ -5,7 +5,6 @@
 #include <array>
 #include <chrono>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -93,6 +92,7 @@ MeshRequest first_request(const Scene& scene, const SurfaceSpec& spec, const Pur
     request.normal_tolerance /= rest_of_stretch(scene, purpose);
   }
   request.max_triangles = most_triangles(scene, spec);
+  request.least_effort = least_effort(scene);
   request.lines_u = spec.grid_u;
   request.lines_v = spec.grid_v;
   request.threads = threads;
@@ -183,8 +183,8 @@ class ProportionateMesher {
   std::optional<MeshResult> without_poles(MeshReport known, const Bounds& whole) {
     const std::vector<dvec3> balanced = balanced_positions(surface_, request_.threads);
     // The probe knows more about a small part of a surface.
-    const bool knows_more = balanced.size() > positions_.size();
-    const Bounds box = clip_box(around_, knows_more ? balanced : positions_);
+    const auto& more = balanced.size() > positions_.size() ? balanced : positions_;
+    const Bounds box = clip_box(around_, more);
     known.beside_poles.add(far_from(box, whole));
     clip_to(box);
     std::optional<MeshResult> mesh = mesh_clipped(known, box);
@@ -254,9 +254,8 @@ Domain name_parameters(const Surface& surface, MeshResult& mesh) {
   if (surface.v.outputs.empty()) return surface.domain;
   MeshReport& report = mesh.report;
   take_user_parameters(surface, mesh.mesh.uv);
-  take_user_parameters(surface, report.poles);
-  take_user_parameters(surface, report.jumps);
-  take_user_parameters(surface, report.without_limit);
+  for (auto* const places : {&report.poles, &report.jumps, &report.without_limit})
+    take_user_parameters(surface, *places);
   for (ProofGap& place : report.proof_gaps) {
     std::array<dvec2, 4> corners = {
         place.low, {place.high.x, place.low.y}, place.high, {place.low.x, place.high.y}};
@@ -271,13 +270,11 @@ Domain name_parameters(const Surface& surface, MeshResult& mesh) {
   for (auto* const place : {&report.coarse_normals, &report.worst_place, &report.oscillates}) {
     if (*place) take_user_parameters(surface, std::span(&**place, 1));
   }
-  for (SingularPoint& point : report.singular_points) {
+  for (SingularPoint& point : report.singular_points)
     take_user_parameters(surface, std::span(&point.uv, 1));
-  }
-  for (SingularInSpace& point : report.singular_in_space) {
+  for (SingularInSpace& point : report.singular_in_space)
     take_user_parameters(surface, std::span(&point.uv, 1));
-  }
-  double low = std::numeric_limits<double>::infinity();
+  double low = kInfinity;
   double high = -low;
   for (const dvec2& uv : mesh.mesh.uv) {
     low = std::min(low, uv.y);
@@ -309,6 +306,8 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
   }
   Mesh& mesh = result.mesh.mesh;
   MeshReport& report = result.mesh.report;
+  if (report.reached_limit && report.shortage == Shortage::None)
+    report.shortage = shortage_of_triangles(scene, spec);
   report.orientable = is_orientable(mesh, report);
   report.singular_in_space = singular_in_space(surface, mesh, report);
   if (!surface.region.outputs.empty()) report.region = region_share(surface, threads);

@@ -10,6 +10,7 @@
 #include <glm/ext/matrix_transform.hpp>
 
 #include "base/numbers.h"
+#include "mesh/sizing/effort.h"
 #include "scene/model/instances.h"
 
 namespace saddle {
@@ -19,6 +20,17 @@ namespace {
 /// takes 3 to 7 microseconds and 1 kB.
 constexpr std::size_t kMostTriangles = 4'000'000;
 constexpr std::size_t kEnoughTriangles = 1'000'000;
+/// The triangles of all surfaces of a scene together. Each has the same share, but at least that of
+/// a small one. The share bounds its work, too: 45 seconds for all.
+constexpr std::size_t kMostOfAll = 6'000'000;
+constexpr std::size_t kLeastShareOfAll = 300;
+/// The effort of all surfaces together that does not depend on triangles: ten seconds.
+constexpr std::size_t kLeastEffortOfAll = 20'000'000;
+/// A mesh takes 1 kB for each triangle when it is finished, and twice as much is left for the steps
+/// of the heap's growth and for the picture or file that is made of it.
+constexpr std::uint64_t kBytesPerTriangle = 3000;
+/// Triangles for --max-time: a first mesh must not take longer than there is, with its checks.
+constexpr double kTrianglesPerSecond = 100'000;
 
 /// Distance of mesh and surface that no eye sees in a picture, in pixels, and what a mesh for other
 /// programs may be off by, as a share of its bounding box's diagonal.
@@ -225,12 +237,44 @@ double tolerance_share(const Scene& scene, const Purpose& purpose) {
   return least;
 }
 
-std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec) {
+namespace {
+
+/// The triangles at most, whatever memory there is.
+std::size_t triangles_asked(const Scene& scene, const SurfaceSpec& spec) {
   if (scene.mesh.max_triangles) return static_cast<std::size_t>(*scene.mesh.max_triangles);
-  if (scene.mesh.tolerance || samples_of(scene, spec)) return kMostTriangles;
+  const std::size_t share =
+      std::max(kMostOfAll / std::max<std::size_t>(scene.surfaces.size(), 1), kLeastShareOfAll);
+  if (scene.mesh.tolerance || samples_of(scene, spec)) return std::min(kMostTriangles, share);
   const auto pixels = static_cast<std::size_t>(scene.picture.width) *
                       static_cast<std::size_t>(scene.picture.height);
-  return std::clamp(pixels, kEnoughTriangles, kMostTriangles);
+  return std::min(std::clamp(pixels, kEnoughTriangles, kMostTriangles), share);
+}
+
+std::size_t triangles_of_memory() {
+  return static_cast<std::size_t>(memory_for_work() / kBytesPerTriangle);
+}
+
+std::size_t triangles_of_time() {
+  const double count = kTrianglesPerSecond * time_for_work();
+  return count < static_cast<double>(kMaxTriangles) ? static_cast<std::size_t>(count)
+                                                    : std::numeric_limits<std::size_t>::max();
+}
+
+}  // namespace
+
+std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec) {
+  return std::min({triangles_asked(scene, spec), triangles_of_memory(), triangles_of_time()});
+}
+
+Shortage shortage_of_triangles(const Scene& scene, const SurfaceSpec& spec) {
+  const std::size_t most = most_triangles(scene, spec);
+  if (most == triangles_asked(scene, spec)) return Shortage::None;
+  return most == triangles_of_time() ? Shortage::Time : Shortage::Memory;
+}
+
+std::size_t least_effort(const Scene& scene) {
+  return std::min(kLeastEffort,
+                  kLeastEffortOfAll / std::max<std::size_t>(scene.surfaces.size(), 1));
 }
 
 }  // namespace saddle

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/run_limits.h"
 #include "mesh/model/tolerance.h"
 #include "mesh/sizing/probe.h"
 #include "scene/model/camera.h"
@@ -49,6 +50,14 @@ double tolerance_share(const Scene& scene, const Purpose& purpose);
 
 /// Triangles at most: the value of --max-triangles; 4000000 with --tolerance or --samples; else
 /// about one per pixel of the picture, from 1000000 to 4000000, more than can be told apart in it.
+/// Fewer where many surfaces share what a scene may have, or where --max-memory is little.
 std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec);
+
+/// The limit of a run that makes most_triangles() fewer, if one does.
+Shortage shortage_of_triangles(const Scene& scene, const SurfaceSpec& spec);
+
+/// The effort that each surface may take however few its triangles are, in places
+/// (mesh/sizing/effort.h): a share of what all surfaces may take.
+std::size_t least_effort(const Scene& scene);
 
 }  // namespace saddle

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <limits>
+#include <sstream>
+#include <utility>
 #include <vector>
 
 #include "base/child.h"
-#include "base/file.h"
 #include "base/format.h"
 #include "base/temporary.h"
 #include "study/chart_labels.h"
@@ -369,10 +369,13 @@ void check_gnuplot() {
 
 std::string draw_chart(std::span<const Measurement> measurements, const std::string& title,
                        ChartFormat format) {
-  const TemporaryName file(std::filesystem::temp_directory_path() / "saddle-chart");
-  run_with_input(kGnuplot, make_script(measurements, title, format, file.path().string()),
-                 kGnuplotPackage);
-  return read_file(file.path());
+  const UnnamedFile file;
+  Child gnuplot(kGnuplot, kGnuplotPackage, std::array{file.descriptor()});
+  gnuplot.feed(make_script(measurements, title, format, file.path()));
+  file.check_written("gnuplot", [&] { gnuplot.finish(); });
+  std::ostringstream text;
+  file.copy_to(text);
+  return std::move(text).str();
 }
 
 }  // namespace saddle

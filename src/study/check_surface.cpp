@@ -3,6 +3,8 @@
 #include <span>
 #include <utility>
 
+#include "base/activity.h"
+
 namespace saddle {
 namespace {
 
@@ -27,7 +29,13 @@ void name_parameters(const Surface& surface, const SurfaceSpec& spec, const Doma
 }  // namespace
 
 CheckedSurface check_surface(const Scene& scene, const SurfaceSpec& spec, unsigned threads) {
-  MeshedSurface meshed = mesh_surface(scene, spec, {.mesh = true}, threads);
+  Activity stages("checking", 2);
+  MeshedSurface meshed = [&] {
+    const Activity meshing("meshing");
+    return mesh_surface(scene, spec, {.mesh = true}, threads);
+  }();
+  stages.advance();
+  const Activity gathering("integrals and extremes");
   const Surface surface = meshed.prepared.surface;
   CheckedSurface result;
   result.facts =

@@ -3,6 +3,7 @@
 // or more memory.
 #include <malloc.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -14,7 +15,6 @@
 
 #include "base/file.h"
 #include "base/heap.h"
-#include "base/temporary.h"
 #include "export/formats/formats.h"
 #include "meshing/tessellate.h"
 #include "scene/model/gallery.h"
@@ -48,6 +48,11 @@ constexpr Row kRows[] = {{"PLY", "ply", false, 1},           {"STL", "stl", fals
                          {"GLB, one sheet", "glb", true, 2}, {"GLB, two sheets", "glb", false, 4},
                          {"OBJ", "obj", false, 20},          {"3MF", "3mf", false, 40}};
 
+/// The file that each writer writes.
+std::filesystem::path written_file() {
+  return std::filesystem::temp_directory_path() / ("saddle-exports-" + std::to_string(getpid()));
+}
+
 constexpr double kMostMemory = 64;  ///< megabytes above the mesh
 
 /// Megabytes of a line of /proc/self/status, "VmRSS:" or "VmHWM:"; Linux alone has it.
@@ -66,24 +71,24 @@ double memory_of(const Row& row, const MeshContent& content) {
   malloc_trim(0);  // memory of before that is free would hide what is taken again
   std::ofstream("/proc/self/clear_refs") << 5;  // the most so far becomes that of now
   const double before = status_of("VmRSS:");
-  const TemporaryName file(std::filesystem::temp_directory_path() / "saddle-exports");
-  write_file_whole(file.path(), [&](std::ostream& out) {
+  write_file_whole(written_file(), [&](std::ostream& out) {
     find_format(row.extension)->write_mesh(out, content);
   });
+  std::filesystem::remove(written_file());
   return status_of("VmHWM:") - before;
 }
 
 /// The least time of several rounds, and the bytes.
 double time_of(const Row& row, const MeshContent& content, std::uintmax_t& bytes) {
+  const std::filesystem::path file = written_file();
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kRounds; ++i) {
-    const TemporaryName file(std::filesystem::temp_directory_path() / "saddle-exports");
     const double begin = spent();
-    write_file_whole(file.path(), [&](std::ostream& out) {
-      find_format(row.extension)->write_mesh(out, content);
-    });
+    write_file_whole(
+        file, [&](std::ostream& out) { find_format(row.extension)->write_mesh(out, content); });
     least = std::min(least, spent() - begin);
-    bytes = std::filesystem::file_size(file.path());
+    bytes = std::filesystem::file_size(file);
+    std::filesystem::remove(file);
   }
   return least;
 }

@@ -338,18 +338,26 @@ TEST_F(AnimationTest, LeavesNothingWhenInterrupted) {
 }
 
 TEST_F(AnimationTest, ShowsItsProgressOnATerminalAlone) {
-  const auto on_terminal = [&](const std::string& more) {
+  const auto on_terminal = [&](const std::string& words) {
     const std::string command = "cd '" + folder_.string() + "' && script -qec \"'" +
-                                program_path() + "' z='sin(u+t)' -o w-%d.png --frames 3 -s 64x48 " +
-                                more + "\" /dev/null >out </dev/null";
+                                program_path() + "' " + words + "\" /dev/null >out </dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0);
     return content("out");
   };
-  const std::string shown = on_terminal("");
-  EXPECT_NE(shown.find("frame 2 of 3, "), std::string::npos) << shown;
-  EXPECT_NE(shown.find(" frames/s, 0:0"), std::string::npos) << shown;
+  const auto has_bar = [](const std::string& shown, const std::string& what) {
+    return shown.find("[") != std::string::npos && shown.find(" % ") != std::string::npos &&
+           shown.find(what) != std::string::npos;
+  };
+  const std::string film = "z='sin(u+t)' -o w-%d.png --frames 300 -s 400x300 ";
+  const std::string shown = on_terminal(film);
+  EXPECT_TRUE(has_bar(shown, " of 300, ")) << shown;
+  EXPECT_NE(shown.find(" left"), std::string::npos) << shown;
   EXPECT_EQ(shown.substr(shown.rfind('\r')), "\r\033[K") << shown;  // gone at the end
-  EXPECT_EQ(on_terminal("-q"), "");
+  EXPECT_EQ(on_terminal(film + "-q"), "");
+  EXPECT_EQ(on_terminal("torus -s 16x16 -o short.png"), "");  // over before the second second
+  const std::string hard = "z='sin(1/(u*v))' --tolerance 1e-5 --max-time 3 ";
+  EXPECT_TRUE(has_bar(on_terminal(hard + "-o a.ply"), "meshing"));
+  EXPECT_TRUE(has_bar(on_terminal("check " + hard), "checking 1 of 2, meshing"));
 }
 
 TEST_F(AnimationTest, FilmsAreTheSameOnAnyNumberOfThreads) {

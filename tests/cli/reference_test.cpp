@@ -185,7 +185,7 @@ TEST_F(Comparison, RefusesResultsInPlaceOfWhatItReads) {
     EXPECT_TRUE(contains(error_of(run, 2), "the run reads this file")) << run.err;
   }
   EXPECT_TRUE(contains(error_of(compares("torus -o ref.png.diff.png", "ref.png"), 2),
-                       "two outputs of different kinds"));
+                       "two outputs are called"));
   EXPECT_EQ(read_file(path("s.toml")), kSphere);
   EXPECT_EQ(compares("torus", "ref.png").status, 0);
 }

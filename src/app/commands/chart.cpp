@@ -6,6 +6,7 @@
 #include "app/commands/commands.h"
 #include "app/report/progress.h"
 #include "app/run/build_scene.h"
+#include "base/activity.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/standard_streams.h"
@@ -151,9 +152,11 @@ void run_chart(const CommandLine& line) {
   add_picture(line, subject);
   std::vector<Measurement> measurements;
   {
-    Progress progress(!line.run.quiet);
-    measurements = study(subject, [&progress](double share, const std::string& what) {
-      progress.show(share, what);
+    const Progress progress(!line.run.quiet);
+    Activity measuring("measuring");
+    measurements = study(subject, [&measuring](double share, const std::string& what) {
+      measuring.set_share(share);
+      measuring.set_detail(what);
     });
   }
   for (const ChartOutput& output : outputs) write(output, measurements, title_of(scene, line));

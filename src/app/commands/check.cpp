@@ -7,8 +7,10 @@
 
 #include "app/commands/commands.h"
 #include "app/report/describe.h"
+#include "app/report/progress.h"
 #include "app/report/run_report.h"
 #include "app/run/build_scene.h"
+#include "base/activity.h"
 #include "base/standard_streams.h"
 #include "meshing/solids.h"
 #include "meshing/tessellate.h"
@@ -35,6 +37,29 @@ void add_solids(const Scene& scene, std::vector<CheckedSurface>& surfaces,
   }
 }
 
+struct Checked {
+  std::vector<CheckedSurface> surfaces;
+  std::vector<Tessellation> strokes;
+};
+
+/// `drawn`: the scene with surfaces that stand for its curves and points.
+Checked check_all(const Scene& scene, const Scene& drawn, const CommandLine& line) {
+  const unsigned threads = line.run.threads;
+  const Progress progress(!line.run.quiet);
+  Activity surfaces(drawn.surfaces.size() > 1 ? "surface" : "", drawn.surfaces.size());
+  Checked all;
+  for (const SurfaceSpec& spec : drawn.surfaces) {
+    if (spec.is_stroke()) {
+      all.strokes.push_back(tessellate(drawn, spec, {.picture = true}, threads));
+    } else {
+      all.surfaces.push_back(check_surface(scene, spec, threads));
+    }
+    surfaces.advance();
+  }
+  add_solids(drawn, all.surfaces, all.strokes, threads);
+  return all;
+}
+
 }  // namespace
 
 void run_check(const CommandLine& line, Clock::time_point start) {
@@ -42,17 +67,8 @@ void run_check(const CommandLine& line, Clock::time_point start) {
   RunReport report;
   report.warnings = warnings_of(scene);
   std::vector<std::string> words;
-  std::vector<CheckedSurface> all;
-  std::vector<Tessellation> strokes;
   const Scene drawn = with_strokes(scene);
-  for (const SurfaceSpec& spec : drawn.surfaces) {
-    if (spec.is_stroke()) {
-      strokes.push_back(tessellate(drawn, spec, {.picture = true}, line.run.threads));
-    } else {
-      all.push_back(check_surface(scene, spec, line.run.threads));
-    }
-  }
-  add_solids(drawn, all, strokes, line.run.threads);
+  auto [all, strokes] = check_all(scene, drawn, line);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const SurfaceSpec& spec = scene.surfaces[i];
     CheckedSurface& checked = all[i];

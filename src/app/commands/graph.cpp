@@ -15,6 +15,7 @@
 #include "app/run/picture_drawer.h"
 #include "app/run/plan.h"
 #include "app/run/scene_meshes.h"
+#include "base/activity.h"
 #include "base/format.h"
 #include "base/standard_streams.h"
 #include "render/picture/framing.h"
@@ -66,6 +67,7 @@ class Run {
   Run(const CommandLine& line, Clock::time_point start)
       : line_(line),
         start_(start),
+        progress_(std::in_place, !line.run.quiet),
         plan_(line),
         reference_(reference_of(line)),
         writer_(plan_.outputs, plan_.scene(), line.run),
@@ -77,14 +79,18 @@ class Run {
     notice();
     warn_of_equal_frames();
     const auto begin = Clock::now();
-    take_shots(begin);
+    take_shots();
     report_.frames = plan_.frames();
     if (report_.frames > 0) {
       report_.times.frame = milliseconds_since(begin) / static_cast<double>(plan_.shots.size());
     }
     gather_warnings();
     if (line_.run.strict && !report_.warnings.empty()) fail_strictly();
-    writer_.finish(plan_.scene());
+    {
+      const Activity writing("writing");
+      writer_.finish(plan_.scene());
+    }
+    progress_.reset();
     report();
     if (!reference_) return;
     const std::string passed = reference_->compare();
@@ -111,17 +117,17 @@ class Run {
     if (line_.run.strict) fail_strictly();
   }
 
-  void take_shots(Clock::time_point begin) {
-    std::optional<Progress> progress;
-    if (plan_.frames() > 1) progress.emplace(!line_.run.quiet);
-    for (std::size_t i = 0; i < plan_.shots.size(); ++i) {
-      if (progress) progress->show_frames(i, plan_.shots.size(), milliseconds_since(begin) / 1000);
+  void take_shots() {
+    Activity frames(plan_.frames() > 0 ? "frame" : "", plan_.shots.size());
+    for (const Shot& shot : plan_.shots) {
       try {
-        take(plan_.shots[i]);
+        take(shot);
       } catch (const Error& error) {
-        throw located(error, plan_.shots[i]);
+        throw located(error, shot);
       }
+      frames.advance();
     }
+    const Activity writing("writing");
     writer_.wait();
   }
 
@@ -136,11 +142,16 @@ class Run {
     writer_.write_pages_of(shot, {meshes_.meshes(), scene, seen, line_.run.sliders,
                                   line_.run.fragment, line_.run.renderer});
     if (!drawer_) return;
-    Image image = drawer_->draw(seen, meshes_.meshes(), updated);
+    Image image = draw(seen, updated);
     if (line_.run.strict && !drawer_->warnings().empty()) warn_and_fail();
     if (shot.still && reference_) reference_->take(image);
     if (!report_.image) report_.image = drawer_->describe(image, seen);
     writer_.start_writing(shot, scene, std::move(image));
+  }
+
+  Image draw(const Scene& seen, std::span<const std::size_t> updated) {
+    const Activity drawing("drawing");
+    return drawer_->draw(seen, meshes_.meshes(), updated);
   }
 
   void gather_warnings() {
@@ -163,7 +174,7 @@ class Run {
     fail_strictly();
   }
 
-  /// With --strict a warning ends the run; the report has it, other outputs are not written.
+  /// With --strict a warning ends the run; the report has it, and no other output gets its name.
   void fail_strictly() {
     report_.times.encode = writer_.milliseconds();
     report_.times.total = milliseconds_since(start_);
@@ -186,6 +197,7 @@ class Run {
 
   const CommandLine& line_;
   Clock::time_point start_;
+  std::optional<Progress> progress_;
   Plan plan_;
   std::optional<ReferenceCheck> reference_;
   OutputWriter writer_;

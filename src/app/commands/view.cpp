@@ -20,6 +20,10 @@ constexpr const char* kWayOut = "saddle ... -o FILE.png draws without a display"
 /// Throws Error (Input) for options that would do nothing.
 void check_options(const CommandLine& line) {
   checked_outputs(line);
+  if (line.run.max_time) {
+    throw Error(Status::Input, "the viewer takes as long as it is open", {"--max-time", "", {}},
+                "it is for outputs: -o FILE.png");
+  }
   if (line.run.renderer != Backend::Any) {
     throw Error(Status::Input, "the viewer draws with the OpenGL of its display",
                 {"--renderer", "", {}}, "it is for outputs: -o FILE.png");

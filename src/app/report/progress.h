@@ -1,12 +1,16 @@
 // Long work's progress bar.
 #pragma once
 
-#include <cstddef>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace saddle {
 
-/// A bar on standard error, if that is a terminal; nothing otherwise. It is gone when this is.
+/// A bar on standard error, if that is a terminal; nothing otherwise. It tells what the first
+/// thread is at (base/activity.h), from the second second on, and is gone when this is.
 class Progress {
  public:
   /// `wanted` false: nothing at all.
@@ -15,14 +19,14 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// The share that is done, 0 to 1, and what is being done now.
-  void show(double share, const std::string& what);
-  /// Frames that are done, of how many, with their rate and the time that is left. `seconds`: since
-  /// the first was begun.
-  void show_frames(std::size_t done, std::size_t all, double seconds);
-
  private:
-  bool shown_;
+  void show_until(const std::stop_token& stopped);
+  std::string line() const;
+
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::jthread thread_;  ///< the last member: it uses the others
 };
 
 }  // namespace saddle

@@ -272,18 +272,25 @@ Json times(const RunTimes& t) {
   return result;
 }
 
-/// The most memory that the process has had in use. The kernel resets VmHWM when a program starts;
+/// The most memory that this process has had in use. The kernel resets VmHWM when a program starts;
 /// ru_maxrss includes the process that started it.
-std::int64_t peak_memory_bytes() {
-  constexpr std::int64_t kKibibyte = 1024;  // the unit of both numbers on Linux
+std::int64_t own_peak_memory() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
     std::int64_t size = 0;
-    if (word == "VmHWM:" && status >> size) return size * kKibibyte;
+    if (word == "VmHWM:" && status >> size) return size;
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return std::int64_t{usage.ru_maxrss} * kKibibyte;
+  return usage.ru_maxrss;
+}
+
+/// The most memory of any process of the run: this one, or ffmpeg once it has ended.
+std::int64_t peak_memory_bytes() {
+  constexpr std::int64_t kKibibyte = 1024;  // the unit of these numbers on Linux
+  rusage others{};
+  getrusage(RUSAGE_CHILDREN, &others);
+  return std::max(own_peak_memory(), std::int64_t{others.ru_maxrss}) * kKibibyte;
 }
 
 }  // namespace

@@ -1,6 +1,10 @@
 #include "app/run/output_writer.h"
 
+#include <algorithm>
+#include <iterator>
 #include <ostream>
+#include <ranges>
+#include <utility>
 
 namespace saddle {
 namespace {
@@ -21,11 +25,26 @@ VideoOptions video_options(const Output& output, const Scene& scene) {
 
 OutputWriter::OutputWriter(std::span<const Output> outputs, const Scene& scene,
                            const RunSettings& run)
-    : outputs_(outputs), threads_(static_cast<unsigned>(run.threads)), mesh_up_(run.mesh_up) {
+    : outputs_(outputs),
+      threads_(static_cast<unsigned>(run.threads)),
+      holds_back_(run.strict),
+      mesh_up_(run.mesh_up) {
+  if (holds_back_) allow_many_open_files();  // each has its lock
   for (const Output& output : outputs_) {
     if (!output.is(Format::Kind::Animation)) continue;
     films_.push_back({output.path, std::make_unique<Video>(video_options(output, scene))});
   }
+}
+
+void OutputWriter::put(const std::vector<FileToWrite>& files) {
+  if (!holds_back_) return write_all(files);
+  std::vector<StagedFile> staged;
+  for (const FileToWrite& file : files) {
+    staged.emplace_back(file.path == "-" ? "/dev/stdout" : file.path, file.write);
+  }
+  // The first of files that belong together gets its name last.
+  const std::lock_guard lock(mutex_);
+  std::ranges::move(std::views::reverse(staged), std::back_inserter(held_));
 }
 
 bool OutputWriter::take_meshes(const Shot& shot, const Scene& scene, std::span<const Mesh> meshes) {
@@ -56,9 +75,7 @@ void OutputWriter::add_losses(const Output& output, const std::vector<Loss>& los
 
 void OutputWriter::write_meshes() {
   const auto begin = Clock::now();
-  for (const MeshFile& file : mesh_files_) {
-    write_meshes_to(file.output, file.frame, file.content);
-  }
+  for (MeshFile& file : mesh_files_) put(mesh_files(file.output, file.frame, file.content));
   milliseconds_ += milliseconds_since(begin);
 }
 
@@ -66,8 +83,8 @@ void OutputWriter::write_pages_of(const Shot& shot, const PageContent& content) 
   const auto begin = Clock::now();
   for (const Output& output : outputs_) {
     if (!output.is(Format::Kind::Page) || !shot.is_for(output)) continue;
-    write_to(output.path_of(shot.frame.value_or(0)),
-             [&](std::ostream& out) { output.format->write_page(out, content); });
+    const auto write = [&](std::ostream& out) { output.format->write_page(out, content); };
+    put({{output.path_of(shot.frame.value_or(0)), write}});
   }
   milliseconds_ += milliseconds_since(begin);
 }
@@ -80,9 +97,10 @@ void OutputWriter::start_writing(const Shot& shot, const Scene& scene, Image ima
 void OutputWriter::write_picture_of(const Shot& shot, const Scene& scene, const Image& image) {
   for (const Output& output : outputs_) {
     if (!output.is(Format::Kind::Picture) || !shot.is_for(output)) continue;
-    write_to(output.path_of(shot.frame.value_or(0)), [&](std::ostream& out) {
+    const auto write = [&](std::ostream& out) {
       output.format->write_picture(out, {image, scene, threads_});
-    });
+    };
+    put({{output.path_of(shot.frame.value_or(0)), write}});
   }
   if (shot.frame) {
     for (const Film& film : films_) film.video->add(image);
@@ -91,9 +109,11 @@ void OutputWriter::write_picture_of(const Shot& shot, const Scene& scene, const 
 
 void OutputWriter::finish(const Scene& scene) {
   const auto begin = Clock::now();
+  for (StagedFile& file : held_) file.publish();
   for (const Output& output : outputs_) {
     if (!output.is(Format::Kind::Scene)) continue;
-    write_to(output.path, [&](std::ostream& out) { output.format->write_scene(out, scene); });
+    const auto write = [&](std::ostream& out) { output.format->write_scene(out, scene); };
+    write_all({{output.path, write}});
   }
   write_films();
   milliseconds_ += milliseconds_since(begin);
@@ -102,7 +122,7 @@ void OutputWriter::finish(const Scene& scene) {
 void OutputWriter::write_films() {
   for (const Film& film : films_) film.video->finish();
   for (const Film& film : films_) {
-    write_to(film.path, [&](std::ostream& out) { film.video->write(out); });
+    write_all({{film.path, [&](std::ostream& out) { film.video->write(out); }}});
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <future>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include "app/report/clock.h"
 #include "app/run/outputs.h"
 #include "app/run/shots.h"
+#include "base/file.h"
 #include "base/image.h"
 #include "base/parallel.h"
 #include "export/formats/losses.h"
@@ -52,8 +54,8 @@ class WorkBehind {
 /// made of it.
 class OutputWriter {
  public:
-  /// `outputs` stay where they are. Throws Error (Machine) for a film without
-  /// ffmpeg.
+  /// `outputs` stay where they are. With --strict no file gets its name before finish(). Throws
+  /// Error (Machine) for a film without ffmpeg.
   OutputWriter(std::span<const Output> outputs, const Scene& scene, const RunSettings& run);
 
   /// Looks at the meshes of this moment and their files. Returns whether a file lacks something.
@@ -74,7 +76,7 @@ class OutputWriter {
   /// Until the last picture is written. Throws what that has thrown.
   void wait() { behind_.wait(); }
 
-  /// Writes scene files, then films. After wait().
+  /// Gives files that were held back their names, writes scene files, then films. After wait().
   void finish(const Scene& scene);
 
   /// Differences of the films and the files of meshes from what was asked for.
@@ -100,9 +102,14 @@ class OutputWriter {
 
   void write_picture_of(const Shot& shot, const Scene& scene, const Image& image);
   void write_films();
+  /// Writes files that belong together, which may be held back.
+  void put(const std::vector<FileToWrite>& files);
 
   std::span<const Output> outputs_;
   unsigned threads_;
+  bool holds_back_;
+  std::mutex mutex_;              ///< of held_: meshes are written beside pictures
+  std::vector<StagedFile> held_;  ///< without their names
   MeshUp mesh_up_;
   std::vector<Shells> shells_;  ///< of the meshes at hand
   std::vector<MeshFile> mesh_files_;

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 #include "app/report/reference.h"
 #include "base/error.h"
-#include "base/file.h"
 #include "base/nearest.h"
 #include "base/standard_streams.h"
 
@@ -131,68 +131,12 @@ void check_standard_output(const CommandLine& line) {
   }
 }
 
-/// Two paths name one file.
-bool clash(const std::string& a, const std::string& b) {
-  const auto full = [](const std::string& path) {
-    std::error_code ignored;  // a path that cannot be looked up is refused elsewhere
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
-  };
-  return a != "-" && !a.empty() && !b.empty() && full(a) == full(b);
-}
-
 /// A report in place of something that the run reads would be lost work.
 void check_report_replaces_no_input(const CommandLine& line) {
   if (!is_input(line, line.run.report)) return;
   throw Error(Status::Input, "the run reads this file",
               {"--report", line.run.report, {0, line.run.report.size()}},
               "give the report a name of its own");
-}
-
-/// Two results under one name: the later would replace the earlier.
-void check_names_differ(const CommandLine& line, const std::vector<Output>& outputs) {
-  for (const Output& output : outputs) {
-    const auto other = [&](const Output& o) {
-      return o.format != output.format && clash(o.path, output.path);
-    };
-    const bool other_result = clash(line.run.report, output.path) ||
-                              clash(difference_path(line.run.reference), output.path);
-    if (!other_result && std::ranges::none_of(outputs, other)) continue;
-    throw Error(Status::Input, "two outputs of different kinds are called " + output.path, {},
-                "give each its own name");
-  }
-}
-
-/// The files of an output's first frame.
-std::vector<std::string> files_of(const Output& output) {
-  if (output.path == "-") return {};
-  std::vector<std::string> files = {output.path_of(0)};
-  const std::string stem = output.stem_of(0);
-  for (const FileBeside& file : output.format->beside) {
-    if (!stem.empty()) files.push_back(stem + std::string(file.ending));
-  }
-  return files;
-}
-
-/// Files beside outputs replace nothing that the run reads or writes.
-void check_files_beside(const CommandLine& line, const std::vector<Output>& outputs) {
-  for (const Output& output : outputs) {
-    const std::vector<std::string> files = files_of(output);
-    for (std::size_t i = 1; i < files.size(); ++i) {
-      const auto meets = [&](const Output& other) {
-        if (other.path == output.path) return false;
-        const auto all = files_of(other);
-        return std::ranges::any_of(all, [&](const auto& path) { return clash(files[i], path); });
-      };
-      const bool other_result =
-          clash(line.run.report, files[i]) || clash(difference_path(line.run.reference), files[i]);
-      if (!other_result && !is_input(line, files[i]) && std::ranges::none_of(outputs, meets)) {
-        continue;
-      }
-      throw Error(Status::Input,
-                  output.path + " also writes " + files[i] + ", which is another file of this run",
-                  {}, "give each its own name");
-    }
-  }
 }
 
 }  // namespace
@@ -204,6 +148,16 @@ std::string Output::path_of(int frame) const {
   const std::size_t wanted = width.empty() ? 0 : std::stoul(width);
   if (digits.size() < wanted) digits.insert(0, wanted - digits.size(), '0');
   return path.substr(0, number->begin) + digits + path.substr(number->end);
+}
+
+std::vector<std::string> Output::files_of(int frame) const {
+  if (path == "-") return {};
+  std::vector<std::string> files = {path_of(frame)};
+  const std::string stem = format->beside.empty() ? "" : stem_of(frame);
+  for (const FileBeside& file : format->beside) {
+    if (!stem.empty()) files.push_back(stem + std::string(file.ending));
+  }
+  return files;
 }
 
 std::string Output::stem_of(int frame) const {
@@ -234,42 +188,36 @@ std::vector<Output> checked_outputs(const CommandLine& line) {
   check_page_options(line, outputs);
   check_standard_output(line);
   check_report_replaces_no_input(line);
-  check_names_differ(line, outputs);
-  check_files_beside(line, outputs);
   for (const Output& output : outputs) {
-    for (const std::string& path : files_of(output)) check_writable(path);
+    for (const std::string& path : output.files_of(0)) check_writable(path);
   }
   if (!line.run.report.empty() && line.run.report != "-") check_writable(line.run.report);
   return outputs;
 }
 
-void write_to(const std::string& path, const std::function<void(std::ostream&)>& write) {
-  if (path == "-") {
-    write_standard_output(write);
+void write_all(const std::vector<FileToWrite>& files) {
+  if (files.size() == 1 && files[0].path == "-") {
+    write_standard_output(files[0].write);
   } else {
-    write_file_whole(path, write);
+    write_files_whole(files);
   }
 }
 
-void write_meshes_to(const Output& output, int frame, MeshContent content) {
+std::vector<FileToWrite> mesh_files(const Output& output, int frame, MeshContent& content) {
   const Format& format = *output.format;
-  const std::string stem = output.stem_of(frame);
-  content.stem = format.beside.empty() ? "" : std::filesystem::path(stem).filename().string();
-  if (content.stem.empty()) {
-    write_to(output.path_of(frame), [&](std::ostream& out) { format.write_mesh(out, content); });
-    return;
-  }
+  const std::string stem = format.beside.empty() ? "" : output.stem_of(frame);
+  content.stem = std::filesystem::path(stem).filename().string();
   std::vector<FileToWrite> files;
   const auto add = [&](const std::string& path, auto* write) {
     files.push_back({path, [&content, write](std::ostream& out) { write(out, content); }});
   };
   add(output.path_of(frame), format.write_mesh);
   for (const FileBeside& file : format.beside) {
-    if (file.is_needed == nullptr || file.is_needed(content)) {
+    if (!stem.empty() && (file.is_needed == nullptr || file.is_needed(content))) {
       add(stem + std::string(file.ending), file.write);
     }
   }
-  write_files_whole(files);
+  return files;
 }
 
 }  // namespace saddle

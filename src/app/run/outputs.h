@@ -1,14 +1,13 @@
 // The files that a run writes.
 #pragma once
 
-#include <functional>
 #include <optional>
-#include <ostream>
 #include <string>
 #include <vector>
 
 #include "app/command_line/cli.h"
 #include "base/error.h"
+#include "base/file.h"
 #include "export/formats/formats.h"
 
 namespace saddle {
@@ -27,6 +26,8 @@ struct Output {
   bool is_still() const { return !takes_frames() && !is(Format::Kind::Scene); }
   /// The path of a frame.
   std::string path_of(int frame) const;
+  /// That, and those that may be written beside it; none for standard output.
+  std::vector<std::string> files_of(int frame) const;
   /// The path without its extension, which files beside it begin with; empty for what is no file.
   std::string stem_of(int frame) const;
 };
@@ -39,10 +40,11 @@ bool wants_viewer(const CommandLine& line);
 /// Machine for a path that cannot be written, the report's included.
 std::vector<Output> checked_outputs(const CommandLine& line);
 
-/// Lets `write` write to the path, or to standard output for "-".
-void write_to(const std::string& path, const std::function<void(std::ostream&)>& write);
+/// Writes to the paths, or to standard output for one that is "-": all of them or none.
+void write_all(const std::vector<FileToWrite>& files);
 
-/// Writes the meshes to a frame's path, and the files beside it: all of them or none.
-void write_meshes_to(const Output& output, int frame, MeshContent content);
+/// The file of the meshes of a frame, and those that go beside it. `content` gets the stem, and is
+/// there when they are written.
+std::vector<FileToWrite> mesh_files(const Output& output, int frame, MeshContent& content);
 
 }  // namespace saddle

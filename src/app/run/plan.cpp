@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/run/build_scene.h"
+#include "app/run/written_files.h"
 
 namespace saddle {
 namespace {
@@ -28,7 +29,13 @@ Plan::Plan(const CommandLine& line)
     : outputs(checked_outputs(line)),
       timeline(animated(build_scene(line), has_frames(line, outputs))),
       shots(shots_of(line, timeline.scene(), outputs)),
-      purpose(purpose_of(line, outputs)) {}
+      purpose(purpose_of(line, outputs)) {
+  std::vector<int> numbers;
+  for (const Shot& shot : shots) {
+    if (shot.frame) numbers.push_back(*shot.frame);
+  }
+  check_names_differ(line, outputs, numbers);
+}
 
 int Plan::frames() const {
   return static_cast<int>(

@@ -17,7 +17,8 @@ struct Plan {
   std::vector<Shot> shots;
   Purpose purpose;  ///< of the meshes, without moments
 
-  /// Throws Error as checked_outputs(), build_scene(), Timeline and shots_of() do, in this order.
+  /// Throws Error as checked_outputs(), build_scene(), Timeline, shots_of() and
+  /// check_names_differ() do, in this order.
   explicit Plan(const CommandLine& line);
 
   const Scene& scene() const { return timeline.scene(); }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/report/run_report.h"
+#include "base/activity.h"
 #include "base/parallel.h"
 #include "meshing/solids.h"
 #include "scene/model/prepare.h"
@@ -43,6 +44,7 @@ std::vector<std::size_t> SceneMeshes::update(const Scene& scene, const std::stri
   std::vector<Made> made(updated.size());
   const unsigned threads = threads_ > 0 ? threads_ : available_threads();
   const bool side_by_side = updated.size() >= kSurfacesPerThread * threads;
+  Activity meshing("meshing", updated.size());
   parallel_chunks(updated.size(), 1, side_by_side ? threads : 1, [&](std::size_t k, std::size_t) {
     try {
       const SurfaceSpec& spec = scene.surfaces[updated[k]];
@@ -50,6 +52,7 @@ std::vector<std::size_t> SceneMeshes::update(const Scene& scene, const std::stri
     } catch (...) {
       made[k].failure = std::current_exception();
     }
+    meshing.advance();
   });
   std::vector<Tessellation*> meshes(scene.surfaces.size());
   for (std::size_t k = 0; k < updated.size(); ++k) {

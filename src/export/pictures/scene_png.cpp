@@ -16,6 +16,8 @@ void write_scene_png(std::ostream& out, const PictureContent& content) {
 }
 
 std::optional<std::string> scene_in_png(const std::string& bytes, const std::string& name) {
+  // Pixels need not be decoded where no chunk has the keyword, which is never compressed.
+  if (is_png(bytes) && bytes.find(kSceneKeyword) == std::string::npos) return std::nullopt;
   const PngText text = decode_png(bytes, name).text;
   const auto found = text.find(kSceneKeyword);
   if (found == text.end()) return std::nullopt;

@@ -15,6 +15,7 @@
 namespace saddle {
 namespace {
 
+constexpr const char* kName = "ffmpeg";
 constexpr const char* kPackage = "ffmpeg";
 
 /// Constant quality on the scale of x264 (0 to 51, least is best) and of VP9 (0 to 63): what is
@@ -52,12 +53,7 @@ Words with_bt709(Words words, const Words& container) {
 
 Words gif_encoder(Alpha) {
   // The palette is of all frames, so that what rests does not flicker.
-  return {"-filter_complex",
-          "split[a][b];[a]palettegen[p];[b][p]paletteuse=diff_mode=rectangle",
-          "-loop",
-          "0",
-          "-f",
-          "gif"};
+  return {"-filter_complex", "[0][1]paletteuse=diff_mode=rectangle", "-loop", "0", "-f", "gif"};
 }
 
 Words mp4_encoder(Alpha) {
@@ -76,19 +72,29 @@ Words webm_encoder(Alpha alpha) {
   return with_bt709(std::move(words), {"-f", "webm"});
 }
 
-Words command(const VideoOptions& options, const std::string& file) {
-  const std::string fps = rounded(options.fps, 9);
+const Words kProgram = {kName, "-nostdin", "-hide_banner", "-loglevel", "error"};
+
+/// Frames from the pipe.
+Words raw_frames(const VideoOptions& options) {
   const std::string size = std::to_string(stored(options.width, *options.format)) + "x" +
                            std::to_string(stored(options.height, *options.format));
-  Words words = {"ffmpeg", "-nostdin",    "-hide_banner", "-loglevel",
-                 "error",  "-f",          "rawvideo",     "-pixel_format",
-                 "rgba",   "-video_size", size,           "-framerate",
-                 fps,      "-i",          "pipe:0"};
-  append(words, options.format->encoder(options.alpha));
+  return {"-f", "rawvideo",   "-pixel_format",         "rgba", "-video_size",
+          size, "-framerate", rounded(options.fps, 9), "-i",   "pipe:0"};
+}
+
+/// Ends the words for an output.
+void append_output(Words& words, const UnnamedFile& file) {
   // No dates, no random numbers: the same frames give the same bytes.
   append(words, {"-fflags", "+bitexact", "-flags:v", "+bitexact"});
   append(words, {"-filter_threads", kThreads, "-threads", kThreads});
-  append(words, {"-y", file});
+  append(words, {"-y", file.path()});
+}
+
+Words command(const VideoOptions& options, const UnnamedFile& file) {
+  Words words = kProgram;
+  append(words, raw_frames(options));
+  append(words, options.format->encoder(options.alpha));
+  append_output(words, file);
   return words;
 }
 
@@ -118,9 +124,34 @@ Image flattened(Image image) {
 
 }  // namespace
 
+/// ffmpeg makes a palette of the frames, and keeps them, without a loss, for a second look.
+struct Video::Palette {
+  UnnamedFile frames = {};
+  UnnamedFile colors = {};
+
+  Words first_command(const VideoOptions& options) const {
+    Words words = kProgram;
+    append(words, raw_frames(options));
+    append(words, {"-filter_complex", "split[a][b];[a]palettegen[p]"});
+    append(words, {"-map", "[p]", "-c:v", "png", "-f", "image2pipe"});
+    append_output(words, colors);
+    append(words, {"-map", "[b]", "-c:v", "ffv1", "-pix_fmt", "bgra", "-f", "nut"});
+    append_output(words, frames);
+    return words;
+  }
+  Words second_command(const VideoOptions& options, const UnnamedFile& file) const {
+    Words words = kProgram;
+    append(words, {"-f", "nut", "-i", frames.path(), "-f", "png_pipe", "-i", colors.path()});
+    append(words, options.format->encoder(options.alpha));
+    append_output(words, file);
+    return words;
+  }
+};
+
 constexpr VideoFormat kGif = {
     .name = "GIF",
     .encoder = gif_encoder,
+    .has_palette = true,
     .part_warning = "GIF has nothing half transparent: the background is mixed with black",
     .most_fps = 50,
     .beyond_most_fps = "players slow faster ones down to 10"};
@@ -134,9 +165,17 @@ constexpr VideoFormat kMp4 = {.name = "MP4",
 
 constexpr VideoFormat kWebm = {.name = "WebM", .encoder = webm_encoder, .even_sides = true};
 
-Video::Video(const VideoOptions& options)
-    : options_(options),
-      ffmpeg_(command(options, file_.path()), kPackage, std::array{file_.descriptor()}) {}
+Video::Video(const VideoOptions& options) : options_(options) {
+  if (!options.format->has_palette) {
+    ffmpeg_.emplace(command(options, file_), kPackage, std::array{file_.descriptor()});
+    return;
+  }
+  palette_ = std::make_unique<Palette>();
+  ffmpeg_.emplace(palette_->first_command(options), kPackage,
+                  std::array{palette_->frames.descriptor(), palette_->colors.descriptor()});
+}
+
+Video::~Video() = default;
 
 std::optional<std::string> Video::warning() const {
   const VideoFormat& format = *options_.format;
@@ -152,14 +191,20 @@ void Video::add(const Image& frame) {
   Image stored = widened(frame, *options_.format);
   if (warning()) stored = flattened(std::move(stored));
   const auto* const bytes = reinterpret_cast<const char*>(stored.rgba.data());
-  const bool taken = ffmpeg_.feed({bytes, stored.rgba.size()});
-  if (taken) return;
-  ffmpeg_.finish();
+  if (ffmpeg_->feed({bytes, stored.rgba.size()})) return;
+  const UnnamedFile& written = palette_ ? palette_->frames : file_;
+  written.check_written(kName, [this] { ffmpeg_->finish(); });
   throw Error(Status::Machine, "ffmpeg wants no more frames");
 }
 
 void Video::finish() {
-  ffmpeg_.finish();
+  if (palette_) {
+    palette_->frames.check_written(kName, [this] { ffmpeg_->finish(); });
+    ffmpeg_.emplace(palette_->second_command(options_, file_), kPackage,
+                    std::array{palette_->frames.descriptor(), palette_->colors.descriptor(),
+                               file_.descriptor()});
+  }
+  file_.check_written(kName, [this] { ffmpeg_->finish(); });
 }
 
 }  // namespace saddle

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -21,6 +22,9 @@ struct VideoFormat {
   const char* name;
   /// The words that tell ffmpeg how to encode.
   std::vector<std::string> (*encoder)(Alpha alpha);
+  /// All frames share a palette. The encoder's inputs are then the frames and the palette, which a
+  /// first run of ffmpeg has made.
+  bool has_palette = false;
   bool even_sides = false;  ///< an odd picture gets its last row or column once more
   /// Not set: the format keeps a background that is transparent.
   const char* whole_warning = nullptr;
@@ -30,7 +34,7 @@ struct VideoFormat {
   const char* beyond_most_fps = "";  ///< what happens to a film with more of them
 };
 
-/// Repeats for ever; 256 colours for all frames, which ffmpeg keeps in memory. A GIF's unit of time
+/// Repeats for ever; 256 colours for all frames. A GIF's unit of time
 /// is a hundredth of a second, and players take a pause of one unit for ten: 50 frames per second.
 extern const VideoFormat kGif;
 /// H.264, yuv420p, which every player understands.
@@ -51,6 +55,9 @@ class Video {
  public:
   /// Starts ffmpeg. Throws Error (Machine) if it is missing.
   explicit Video(const VideoOptions& options);
+  ~Video();
+  Video(const Video&) = delete;
+  Video& operator=(const Video&) = delete;
 
   /// In which way it is not what was asked for.
   std::optional<std::string> warning() const;
@@ -59,16 +66,20 @@ class Video {
   /// has ended.
   void add(const Image& frame);
 
-  /// No more frames: waits for ffmpeg. Throws Error (Machine), with its last words, if it fails.
+  /// No more frames: waits for ffmpeg. Throws Error (Machine), with its last words, if it fails or
+  /// writes nothing.
   void finish();
 
   /// The whole file. After finish().
   void write(std::ostream& out) const { file_.copy_to(out); }
 
  private:
+  struct Palette;
+
   VideoOptions options_;
   UnnamedFile file_;
-  Child ffmpeg_;
+  std::unique_ptr<Palette> palette_;  ///< with its frames, for formats that have one
+  std::optional<Child> ffmpeg_;
 };
 
 }  // namespace saddle

@@ -1,9 +1,7 @@
 #include "mesh/grid/cut_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -43,12 +41,10 @@ void require_doubles(const std::string& name, double first, double last) {
       std::numeric_limits<double>::epsilon() * std::max(std::fabs(first), std::fabs(last));
   const double count = std::fabs(last - first) / step;
   if (count > kFewDoubles) return;
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), " = %.17g and %.17g", first, last);
+  const std::string text = formatted(" = %.17g and %.17g", first, last);
   throw Error(Status::Nothing, "the range of " + name + " is too short for double precision", {},
-              "between " + name + text.data() + " there are about " +
-                  std::to_string(std::lround(count)) + " numbers; " + name +
-                  " = 0 is where they are closest to each other");
+              "between " + name + text + " there are about " + std::to_string(std::lround(count)) +
+                  " numbers; " + name + " = 0 is where they are closest to each other");
 }
 
 /// Closes the gaps that cells of fewer than two triangles leave.

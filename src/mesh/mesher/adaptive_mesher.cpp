@@ -53,7 +53,7 @@ AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& reques
       request_(request),
       limits_{plan.aim,
               request.normal_tolerance,
-              {request.max_triangles, !request.samples},
+              {request.max_triangles, !request.samples, request.least_effort},
               request.clip,
               seen_lines(plan.lines.u, plan.drawn.u),
               seen_lines(plan.lines.v, plan.drawn.v),
@@ -163,6 +163,7 @@ void AdaptiveMesher::complete(const LeafTriangles& triangles, MeshReport& report
   const bool stopped = reached_limit_ && is_refined();
   report.reached_limit = report.reached_limit || stopped;
   report.budget_spent = stopped && tree_.budget().is_spent(limits_.triangles);
+  if (stopped) report.shortage = shortage();
   report.coarse_normals = coarse_normals_;
   report.oscillates = oscillates_;
   proof_.complete(stopped, hulls_, report);

@@ -23,6 +23,8 @@ struct MeshRequest {
   std::function<Tolerance(const Probe&)> tolerance;
   double normal_tolerance = 180;  ///< degrees between interpolated and exact normals
   std::size_t max_triangles = 4'000'000;
+  /// The effort that is allowed however few the triangles are, in places (mesh/sizing/effort.h).
+  std::size_t least_effort = 1'000'000;
   bool certify = true;  ///< interval proofs find what hides between samples, within a budget
 
   /// The mesh is cut along this box; its faces may be infinitely far.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/run_limits.h"
 #include "mesh/distance/boundary_distance.h"
 #include "mesh/distance/whole_mesh_error.h"
 #include "mesh/error/open_leaves.h"
@@ -128,11 +129,16 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   std::ranges::stable_sort(suspects, std::ranges::greater(), &SearchedLeaf::error);
   for (const SearchedLeaf& leaf : suspects.first(std::min(kFollowed, suspects.size())))
     parts.push_back(leaf.part);
-  features.dive(parts);
-  ErrorSearch search(box_of(surface.domain), tolerance, whole(), features.search(kMostBoxes));
+  // Without time the worst suspects are measured, and the others left.
+  const auto has_time = [] { return shortage() != Shortage::Time; };
+  if (has_time()) features.dive(parts);
+  const PlacedError followed = features.search(has_time() ? kMostBoxes : 0);
+  ErrorSearch search(box_of(surface.domain), tolerance, whole(), followed);
+  const std::size_t at_once = has_time() ? kInBatch : kClimbed;
   for (std::size_t next = 0;
-       next < suspects.size() && suspects[next].error > search.worst().distance; next += kInBatch) {
-    search.measure(suspects.subspan(next, std::min(kInBatch, suspects.size() - next)));
+       next < suspects.size() && suspects[next].error > search.worst().distance; next += at_once) {
+    search.measure(suspects.subspan(next, std::min(at_once, suspects.size() - next)));
+    if (!has_time()) return search.worst();
   }
   search.climb();
   for (const SearchedLeaf& leaf : suspects) search.measure_triangles(leaf.part);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/activity.h"
 #include "base/numbers.h"
 #include "mesh/distance/sampled_error.h"
 #include "mesh/error/error_indicator.h"
@@ -382,6 +383,8 @@ class Subdivider {
   std::optional<std::array<Leaf, 2>> halve_if_allowed(const Leaf& leaf, bool along_u) {
     const bool full = tree_.budget().is_full(goal_.triangles);
     result_.reached_limit = result_.reached_limit || full;
+    tell_share(static_cast<double>(tree_.effort().total()) /
+               static_cast<double>(most_effort(goal_.triangles.triangles)));
     return full ? std::nullopt : halve(leaf, along_u, tree_);
   }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/bounds.h"
+#include "base/run_limits.h"
 #include "base/vec.h"
 #include "mesh/model/mesh.h"
 #include "mesh/model/proof_gap.h"
@@ -47,17 +48,18 @@ struct MeshReport {
   std::optional<double> tolerance;    ///< the limit of max_error
   /// The rounding of positions, where it exceeds the tolerance: it is the limit in its place.
   std::optional<double> rounding;
-  double least_triangles = 0;        ///< estimate of the least that any mesh needs; 0: unknown
-  bool reached_limit = false;        ///< the limit of triangles ended refinement
-  bool budget_spent = false;         ///< the budget of effort ended refinement
-  std::size_t effort = 0;            ///< Effort::total()
-  bool certified = false;            ///< proved: no feature hides between samples
-  std::vector<ProofGap> proof_gaps;  ///< boxes where that is not proved, at most 1000
-  double proved_fraction = 0;        ///< share of the domain where that is proved
-  double max_error = 0;              ///< largest distance of mesh and surface that was found
-  bool error_is_bound = false;       ///< max_error is an upper bound; else a search's result
-  double max_normal_error = 0;       ///< degrees between interpolated and exact normals, in
-                                     ///< cells larger than the tolerance
+  double least_triangles = 0;          ///< estimate of the least that any mesh needs; 0: unknown
+  bool reached_limit = false;          ///< the limit of triangles ended refinement
+  bool budget_spent = false;           ///< the budget of effort ended refinement
+  Shortage shortage = Shortage::None;  ///< what the run had too little of when refinement ended
+  std::size_t effort = 0;              ///< Effort::total()
+  bool certified = false;              ///< proved: no feature hides between samples
+  std::vector<ProofGap> proof_gaps;    ///< boxes where that is not proved, at most 1000
+  double proved_fraction = 0;          ///< share of the domain where that is proved
+  double max_error = 0;                ///< largest distance of mesh and surface that was found
+  bool error_is_bound = false;         ///< max_error is an upper bound; else a search's result
+  double max_normal_error = 0;         ///< degrees between interpolated and exact normals, in
+                                       ///< cells larger than the tolerance
   /// A place where normals stay off by more than allowed: the triangles for them were too many.
   std::optional<dvec2> coarse_normals;
   /// The place of max_error, if it exceeds the tolerance; a place beside which the surface is

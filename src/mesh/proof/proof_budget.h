@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "base/run_limits.h"
 #include "surface/surface.h"
 
 namespace saddle {
@@ -14,8 +15,10 @@ class ProofBudget {
 
   /// Allows the work that a mesh of this effort is worth, for all proofs together.
   void allow_for(std::size_t effort);
-  /// Whether no box is left for a level of boxes; a short one may take more.
-  bool is_spent(bool is_short) const { return spent_ >= (is_short ? most_of_short_ : most_); }
+  /// Whether no box is left for a level of boxes, or no time; a short one may take more.
+  bool is_spent(bool is_short) const {
+    return spent_ >= (is_short ? most_of_short_ : most_) || shortage() == Shortage::Time;
+  }
   void take_box();
   void take_points(std::size_t count);
 

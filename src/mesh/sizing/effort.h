@@ -20,8 +20,9 @@ inline constexpr std::size_t kPlacesPerSample = 2;
 inline constexpr std::size_t kPlacesPerDiscontinuity = 15;
 
 /// The budget of a mesh with a limit of triangles, in places.
-inline constexpr std::size_t most_effort(std::size_t max_triangles) {
-  return std::max(kLeastEffort, kPlacesPerTriangle * max_triangles);
+inline constexpr std::size_t most_effort(std::size_t max_triangles,
+                                         std::size_t least = kLeastEffort) {
+  return std::max(least, kPlacesPerTriangle * max_triangles);
 }
 
 /// The unit is a place: an evaluation of the surface, with its share of error estimation,

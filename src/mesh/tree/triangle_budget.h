@@ -1,6 +1,7 @@
 // Whether a mesh may still grow: the limits of triangles and of effort.
 #pragma once
 
+#include "base/run_limits.h"
 #include "mesh/sizing/effort.h"
 #include "mesh/tree/triangle_limit.h"
 
@@ -18,9 +19,12 @@ class TriangleBudget {
   /// vertices into use. A mesh has fewer than two triangles per vertex (Euler), and one more per
   /// vertex along which it is cut.
   bool has_many(const TriangleLimit& limit) const;
-  /// Whether the effort is spent that the limit of triangles is worth.
+  /// Whether the effort is spent that the limit of triangles is worth, or the run is short of time
+  /// or memory.
   bool is_spent(const TriangleLimit& limit) const {
-    return limit.is_refined && effort_.total() > most_effort(limit.triangles);
+    return limit.is_refined &&
+           (effort_.total() > most_effort(limit.triangles, limit.least_effort) ||
+            shortage() != Shortage::None);
   }
   /// Whether either limit is reached.
   bool is_full(const TriangleLimit& limit) const { return has_many(limit) || is_spent(limit); }

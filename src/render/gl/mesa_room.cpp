@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <climits>
 #include <cstddef>
 #include <cstdlib>
@@ -31,15 +32,23 @@ constexpr std::size_t kOthers = 4;
 /// Bytes that a small picture and the compiler of its shaders take from here on, without threads.
 constexpr std::size_t kMemory = std::size_t{32} << 20;
 
-/// Bytes of address space that this process may still have.
-std::size_t memory_left() {
-  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+/// Bytes that the system still allows of a resource of which `used` pages are taken.
+std::size_t left_of(__rlimit_resource_t resource, std::size_t used) {
   rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kAll;
-  std::size_t pages = 0;
-  if (!(std::ifstream("/proc/self/statm") >> pages)) return kAll;
-  const std::size_t used = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  return limit.rlim_cur - std::min<std::size_t>(used, limit.rlim_cur);
+  if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) {
+    return std::numeric_limits<std::size_t>::max();
+  }
+  const std::size_t bytes = used * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  return limit.rlim_cur - std::min<std::size_t>(bytes, limit.rlim_cur);
+}
+
+/// Bytes of address space and of data that this process may still have.
+std::size_t memory_left() {
+  std::array<std::size_t, 6> pages{};  // all, resident, shared, text, unused, data
+  std::ifstream file("/proc/self/statm");
+  for (std::size_t& count : pages) file >> count;
+  if (!file) return std::numeric_limits<std::size_t>::max();
+  return std::min(left_of(RLIMIT_AS, pages[0]), left_of(RLIMIT_DATA, pages[5]));
 }
 
 std::size_t stack_bytes() {
@@ -82,7 +91,7 @@ void make_room_for_mesa() {
   const std::size_t left = memory_left();
   if (left < kMemory) {
     throw Error(Status::Machine, "not enough memory for OpenGL", {},
-                "ulimit -v shows what this shell allows");
+                "--max-memory and ulimit -v say how much there may be");
   }
   const std::size_t processors = available_threads();
   const std::size_t wanted = kSets * std::min(processors, kMostOfMesa) + processors + kOthers;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/activity.h"
 #include "base/error.h"
 #include "render/shading/shader_text.h"
 #include "render/shading/shaders.h"
@@ -52,8 +53,24 @@ Program layer_program(const std::vector<std::string>& names) {
 
 /// Layers behind which nothing is seen, if each lets 1 - `least_opacity` of the light through.
 std::size_t layers_seen(double least_opacity) {
+  constexpr double kMost = 1e9;  // of a surface that is almost not there
   const double layers = std::ceil(std::log(kInvisible) / std::log1p(-least_opacity));
-  return layers < static_cast<double>(kMostLayers) ? static_cast<std::size_t>(layers) : kMostLayers;
+  return static_cast<std::size_t>(std::min(layers, kMost));
+}
+
+/// Triangles of all layers together. A layer draws each twice; with llvmpipe that takes 6
+/// microseconds, so that the layers of a picture take 20 seconds of a processor at the most.
+constexpr std::size_t kMostDrawn = 3'000'000;
+/// Samples that a layer fills in the time of a triangle.
+constexpr std::size_t kSamplesOfTriangle = 200;
+/// However many triangles there are: a front and a back.
+constexpr std::size_t kLeastLayers = 2;
+
+/// Layers that a picture is worth. It does not depend on time: a picture is the same anywhere.
+std::size_t layers_worth(std::size_t triangles, int width, int height) {
+  const auto samples = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const std::size_t cost = triangles + samples / kSamplesOfTriangle + 1;
+  return std::clamp(kMostDrawn / cost, kLeastLayers, kMostLayers);
 }
 
 }  // namespace
@@ -111,21 +128,24 @@ void Layers::attach_all(const GlFramebuffer& framebuffer, const GlTexture& textu
               {}, "try a smaller --size, --antialias 1 or --opacity 1");
 }
 
-bool Layers::draw(const Surfaces& surfaces) {
+std::size_t Layers::draw(const Surfaces& surfaces) {
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   const auto framebuffer = static_cast<GLuint>(bound);
   clear(front_buffer_, kClear);
   clear(depth_buffers_[1], kBeforeAll);
-  const std::size_t most = layers_seen(surfaces.least_opacity);
+  const std::size_t seen = layers_seen(surfaces.least_opacity);
+  const std::size_t most = std::min(seen, layers_worth(surfaces.triangles, width_, height_));
   std::size_t count = 0;
   while (count < most && find_layer(count, framebuffer, surfaces)) {
     shade_layer(surfaces);
     put_under();
     ++count;
+    tell_share(static_cast<double>(count) / static_cast<double>(most));
   }
+  const bool is_cut = count == most && most < seen && find_layer(count, framebuffer, surfaces);
   put_over(framebuffer);
-  return count < kMostLayers;
+  return is_cut ? count : 0;
 }
 
 /// Everything that hides is in the depth buffer. Returns false if there is no layer any more.

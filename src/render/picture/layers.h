@@ -30,12 +30,14 @@ class Layers {
   struct Surfaces {
     std::function<void(Program& peel)> peel;
     std::function<void()> shade;
-    double least_opacity = 0;  ///< of any of them; more than 0
+    double least_opacity = 0;   ///< of any of them; more than 0
+    std::size_t triangles = 0;  ///< of all of them
   };
 
   /// Puts the layers over what the bound framebuffer holds, which must have a depth of 24 bits.
-  /// Returns false if some that would be seen are left out: there are kMostLayers in front.
-  bool draw(const Surfaces& surfaces);
+  /// Returns how many it has drawn if some behind them, which would be seen, are left out: it draws
+  /// up to kMostLayers, the fewer the more triangles there are. Else 0.
+  std::size_t draw(const Surfaces& surfaces);
 
  private:
   void make_buffers();

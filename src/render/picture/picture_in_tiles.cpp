@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/activity.h"
 #include "base/bounds.h"
 #include "render/gl/target.h"
 #include "render/overlay/annotations.h"
@@ -48,9 +49,11 @@ Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& cam
   const Target target(n * (tiling.tile_width + 2 * margin), n * (tiling.tile_height + 2 * margin));
   const bool opaque = scene.background.a >= 1;  // no sample is see-through
   Image image(options.width, options.height);
+  Activity tiles("tile", tiling.tiles.size());
   for (const PixelRect& tile : tiling.tiles) {
     renderer.draw(scene, camera, {options.width, options.height, tile, margin, double(n)}, look);
     target.read(margin * n, margin * n, n, opaque, tile, image);
+    tiles.advance();
   }
   return image;
 }

@@ -165,9 +165,14 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   if (!annotations.edges.empty()) line_drawer_.draw_box(annotations.edges, camera, viewport, ink);
   if (!see_through.empty()) {
     const double least = std::ranges::min(see_through, {}, &PlacedMesh::opacity).opacity;
-    left_out_layers_ |= !layers(viewport).draw(
+    std::size_t triangles = 0;
+    for (const PlacedMesh& item : see_through) triangles += meshes_[item.surface].triangle_count();
+    const std::size_t cut_after = layers(viewport).draw(
         {[&](Program& peel) { draw_depths(see_through, peel, line, look); },
-         [&] { draw_surfaces(scene, see_through, lights, line, look); }, least});
+         [&] { draw_surfaces(scene, see_through, lights, line, look); }, least, triangles});
+    if (cut_after > 0 && (layers_drawn_ == 0 || cut_after < layers_drawn_)) {
+      layers_drawn_ = cut_after;
+    }
   }
   if (!annotations.empty()) {
     Program& program = line_drawer_.program();
@@ -205,9 +210,10 @@ std::vector<std::string> Renderer::warnings() const {
   if (line_drawer_.has_thinner_lines()) {
     all.emplace_back("the OpenGL driver draws no lines as wide as these: they are thinner");
   }
-  if (left_out_layers_) {
-    all.push_back("more than " + std::to_string(kMostLayers) +
-                  " see-through layers lie behind each other: those farther away are not drawn");
+  if (layers_drawn_ > 0) {
+    all.push_back("more than " + std::to_string(layers_drawn_) +
+                  " see-through layers lie behind each other: those farther away are not drawn; "
+                  "--max-triangles with fewer triangles allows more layers");
   }
   return all;
 }

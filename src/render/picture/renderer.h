@@ -110,7 +110,7 @@ class Renderer {
   PictureTextures pictures_;
   std::vector<ColorScale> scales_;  // of the scene that is being drawn
   std::optional<Layers> layers_;
-  bool left_out_layers_ = false;
+  std::size_t layers_drawn_ = 0;  ///< where others were left out behind them; else 0
   std::string unknown_letters_;
   std::optional<OverlayDrawer> overlay_;
 };

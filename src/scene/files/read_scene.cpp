@@ -279,6 +279,38 @@ Scene read_tables(TomlReader& reader, const TomlValue& root, const std::optional
   return scene;
 }
 
+/// Most surfaces, curves and points of a scene: so many plain ones take half a minute.
+constexpr std::size_t kMostObjects = 20'000;
+/// Most crossings of grid lines, of all surfaces together: 20,000 grids of 16x16 have 5 million.
+constexpr std::size_t kMostCrossings = 6'000'000;
+/// Most objects times definitions: each sees all definitions. So many take some seconds.
+constexpr std::size_t kMostSeen = 2'000'000;
+
+void check_size(const TomlReader& reader, const Scene& scene) {
+  const std::size_t objects = scene.surfaces.size() + scene.curves.size() + scene.points.size();
+  if (objects > kMostObjects) {
+    throw reader.source().error(
+        "", std::to_string(objects) + " surfaces, curves and points are too many", {0, 0},
+        "at most " + std::to_string(kMostObjects) + "; nodes draw one surface in many places");
+  }
+  std::size_t crossings = 0;
+  for (const SurfaceSpec& spec : scene.surfaces) {
+    crossings += static_cast<std::size_t>(spec.grid_u) * static_cast<std::size_t>(spec.grid_v);
+  }
+  if (crossings > kMostCrossings) {
+    throw reader.source().error("", "the grids of the surfaces have too many lines", {0, 0},
+                                "lines of u times lines of v, of all surfaces together, are at "
+                                "most " +
+                                    std::to_string(kMostCrossings));
+  }
+  const std::size_t definitions = scene.definitions.size();
+  if (definitions == 0 || objects <= kMostSeen / definitions) return;
+  throw reader.source().error("",
+                              std::to_string(objects) + " surfaces, curves and points with " +
+                                  std::to_string(definitions) + " definitions are too many",
+                              {0, 0}, "at most 2 million, the one times the other");
+}
+
 /// Checks what depends on the whole scene: formulas, ranges, nodes.
 void check_scene(const TomlReader& reader, const Scene& scene) {
   // Numbers may use x, y and z of the last surface.
@@ -302,6 +334,7 @@ Scene read_scene(const SourceText& source, const std::optional<Theme>& theme) {
   TomlPlaces places(source);
   TomlReader reader(places);
   Scene scene = read_tables(reader, root, theme);
+  check_size(reader, scene);
   check_scene(reader, scene);
   return scene;
 }

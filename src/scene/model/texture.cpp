@@ -1,6 +1,7 @@
 #include "scene/model/texture.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -23,10 +24,26 @@ constexpr std::string_view kDataPrefix = "data:image/png;base64,";
 /// Characters of a texture's name in messages: a data URI has millions.
 constexpr std::size_t kShownCharacters = 60;
 
+/// Pixels of a texture: OpenGL takes five times the 250 MB that so many have.
+constexpr std::uint64_t kMostTexturePixels = std::uint64_t{8192} * 8192;
+
 Error texture_error(const std::string& subject, const std::string& name, const std::string& message,
                     const std::string& hint) {
   const std::string shown = name.substr(0, kShownCharacters);
   return {Status::Input, message, {subject, shown, {0, shown.size()}}, hint};
+}
+
+void check_pixels(const std::string& subject, const std::string& name, const std::string& shown,
+                  const std::string& bytes) {
+  const std::optional<PngSize> size = size_of_png(bytes);
+  if (!size || std::uint64_t{size->width} * size->height <= kMostTexturePixels) return;
+  // decode_png() refuses longer sides.
+  if (std::max(size->width, size->height) > kMaxPixels) return;
+  throw texture_error(
+      subject, name,
+      shown + " has " + std::to_string(size->width) + "x" + std::to_string(size->height) +
+          " pixels",
+      "a texture has at most " + std::to_string(kMostTexturePixels) + ", such as 8192x8192");
 }
 
 std::shared_ptr<const TexturePicture> decoded(const std::string& subject, const std::string& name,
@@ -34,6 +51,7 @@ std::shared_ptr<const TexturePicture> decoded(const std::string& subject, const 
   if (!is_png(bytes)) {
     throw texture_error(subject, name, shown + " is not a PNG file", "a texture is a PNG picture");
   }
+  check_pixels(subject, name, shown, bytes);
   try {
     Image image = decode_png(bytes, shown).image;
     return std::make_shared<TexturePicture>(TexturePicture{std::move(image), std::move(bytes)});

@@ -96,7 +96,8 @@ Bounds parse_box(const std::string& option, const std::string& text) {
 }  // namespace
 
 std::string format_number(double value) {
-  std::array<char, 32> text{};  // the longest is 24 characters
+  if (std::isnan(value)) return "nan";  // whose sign means nothing
+  std::array<char, 32> text{};          // the longest is 24 characters
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
@@ -197,6 +198,25 @@ GridSize parse_samples(const std::string& option, const std::string& text) {
   return cells;
 }
 
+double parse_memory(const std::string& option, const std::string& text) {
+  constexpr std::array<std::pair<std::string_view, double>, 7> kUnits = {{{"GiB", 0x1p30},
+                                                                          {"MiB", 0x1p20},
+                                                                          {"GB", 1e9},
+                                                                          {"MB", 1e6},
+                                                                          {"G", 0x1p30},
+                                                                          {"M", 0x1p20},
+                                                                          {"B", 1}}};
+  for (const auto& [unit, bytes] : kUnits) {
+    if (!text.ends_with(unit)) continue;
+    const Span digits{0, text.size() - unit.size()};
+    const double size = bytes * number_in(option, text, digits);
+    if (size >= kLeastMemory && size <= kMostMemory) return size;
+    throw Error(Status::Input, "must be from 64MB to 1000000GB", {option, text, whole(text)});
+  }
+  throw Error(Status::Input, "a size of memory has a unit", {option, text, whole(text)},
+              example(option, "2GB") + ", 500MB or 1.5GiB");
+}
+
 FrameRange parse_frame_range(const std::string& option, const std::string& text) {
   const std::string hint = example(option, "20:40") + ", both ends included";
   const std::size_t colon = text.find(':');
@@ -213,6 +233,11 @@ FrameRange parse_frame_range(const std::string& option, const std::string& text)
 GridSize parse_grid_lines(const std::string& option, const std::string& text) {
   if (text == "off" || text == "none") return {0, 0};
   const GridSize lines = parse_one_or_two(option, text, 0, kMaxGridLines);
+  if (std::int64_t{lines.u} * lines.v > kMostGridCrossings) {
+    throw Error(Status::Input, "so many lines cover the surface", {option, text, whole(text)},
+                "lines of u times lines of v are at most " + std::to_string(kMostGridCrossings) +
+                    ", such as 1024x1024");
+  }
   if (lines.u == 1 || lines.v == 1) {
     throw Error(Status::Input,
                 "the first and the last line are the ends of the range: one is not "

@@ -16,6 +16,12 @@ inline constexpr int kMaxTriangles = 1'000'000'000;  ///< corners are numbered i
 inline constexpr int kMaxFrames = 1'000'000;         ///< nine hours at 30 a second
 /// More grid lines than a picture of the largest size has pixels would paint it over.
 inline constexpr int kMaxGridLines = kMaxPixels;
+/// Lines of u times lines of v: each crossing is a vertex. So many take 1 GB and 3 seconds, and are
+/// more than a picture shows.
+inline constexpr int kMostGridCrossings = 1024 * 1024;
+/// Limits of --max-memory in bytes: no OpenGL starts with less, no machine has more.
+inline constexpr double kLeastMemory = 64e6;
+inline constexpr double kMostMemory = 1e15;
 
 /// The shortest decimal that reads back as the same double.
 std::string format_number(double value);
@@ -87,6 +93,9 @@ struct FrameRange {
 
   int count() const { return last - first + 1; }
 };
+
+/// Bytes from a number with a unit, as 2GB, 500MB or 1.5GiB; kLeastMemory to kMostMemory.
+double parse_memory(const std::string& option, const std::string& text);
 
 /// `A:B`, whole numbers, A <= B.
 FrameRange parse_frame_range(const std::string& option, const std::string& text);

@@ -59,11 +59,11 @@ struct Maybe {
   }
 };
 
-using Slot =
-    std::variant<Flag, Text, Title, Labels, Texts, Formula, Ends, Times, Moment, Names, Parameters,
-                 Real, Plain, Whole, Point, ViewDirection, ViewAngles, Stretch, Paint, Side,
-                 ColormapName, ColorEndsOf, Contours, Choice, PictureSize, GridLines, Cells, Length,
-                 ClipBox, Thick, Frames, TexturePictureOf, TextureRepeat, Maybe<Real, Number>,
-                 Maybe<Point, Vector>, Maybe<Whole, int>>;
+using Slot = std::variant<Flag, Text, Title, Labels, Texts, Formula, Ends, Times, Moment, Names,
+                          Parameters, Real, Plain, Whole, Point, ViewDirection, ViewAngles, Stretch,
+                          Paint, Side, ColormapName, ColorEndsOf, Contours, Choice, PictureSize,
+                          GridLines, Cells, Length, ClipBox, Thick, Frames, TexturePictureOf,
+                          TextureRepeat, Maybe<Real, Number>, Maybe<Point, Vector>,
+                          Maybe<Whole, int>, Maybe<Plain, double>, Maybe<MemorySize, double>>;
 
 }  // namespace saddle::kinds

@@ -773,6 +773,23 @@ constexpr auto kRows = std::to_array<Option>({
      .run = [](RunSettings& r) -> kinds::Slot {
        return kinds::Whole{&r.threads, 1, kMaxThreads};
      }},
+    {.name = "max-memory",
+     .value = "SIZE",
+     .help = "most memory to take, as 2GB or 500MB: past half of it meshes are refined no more",
+     .usual = "half of the machine's",
+     .more = "A warning says so. What needs more than all of it ends the run with status 1.",
+     .run = [](RunSettings& r) -> kinds::Slot {
+       return kinds::Maybe<kinds::MemorySize, double>{&r.max_memory, {nullptr}};
+     }},
+    {.name = "max-time",
+     .value = "SECONDS",
+     .help = "after so many seconds meshes are refined no more",
+     .usual = "no limit",
+     .more = "A warning says so. Where there is no mesh yet after three times as long, and 20 "
+             "seconds more at least, the run ends with status 1.",
+     .run = [](RunSettings& r) -> kinds::Slot {
+       return kinds::Maybe<kinds::Plain, double>{&r.max_time, {nullptr, kPositive}};
+     }},
     {.name = "quiet",
      .letter = 'q',
      .help = "no warnings",

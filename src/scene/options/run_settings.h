@@ -36,7 +36,9 @@ struct RunSettings {
   std::optional<FrameRange> frame_range;  ///< of the animation; none: all
   bool watch = false;                     ///< the viewer follows its scene file
   Backend renderer = Backend::Any;
-  int threads = 0;  ///< 0: all
+  int threads = 0;                   ///< 0: all
+  std::optional<double> max_memory;  ///< bytes; none: half of the machine's
+  std::optional<double> max_time;    ///< seconds; none: no limit
   bool quiet = false;
   bool verbose = false;
   bool shader = false;  ///< show prints shaders in place of the scene

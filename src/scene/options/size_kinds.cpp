@@ -133,6 +133,22 @@ std::string GridLines::write() const {
   return "[" + std::to_string(surface->grid_u) + ", " + std::to_string(surface->grid_v) + "]";
 }
 
+void MemorySize::parse(const Given& given) const {
+  *value = parse_memory(given.option, given.text);
+}
+
+std::string MemorySize::format() const {
+  return format_number(*value) + "B";
+}
+
+void MemorySize::read(const InFile& in) const {
+  *value = read_option(in, "bytes with a unit: \"2GB\"", parse_memory);
+}
+
+std::string MemorySize::write() const {
+  return toml_string(format());
+}
+
 void Cells::parse(const Given& given) const {
   *value = parse_samples(given.option, given.text);
 }

@@ -30,6 +30,16 @@ struct GridLines {
   std::string write() const;
 };
 
+/// Bytes with a unit: 2GB, 500MB, 1.5GiB.
+struct MemorySize {
+  double* value;
+
+  void parse(const Given& given) const;
+  std::string format() const;
+  void read(const InFile& in) const;
+  std::string write() const;
+};
+
 /// MxN cells.
 struct Cells {
   std::optional<GridSize>* value;

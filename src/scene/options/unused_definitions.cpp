@@ -2,7 +2,10 @@
 // hide a definition that is unused; none that is used is ever said to be unused.
 #include "scene/options/unused_definitions.h"
 
-#include <algorithm>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "formula/lexer.h"
 #include "scene/options/options.h"
@@ -51,19 +54,26 @@ std::string text_of_surface(SurfaceSpec spec) {
 }  // namespace
 
 std::vector<std::string> take_used(std::span<const Definition> definitions, Words& words) {
-  std::vector<const Definition*> left;
-  for (const Definition& definition : definitions) left.push_back(&definition);
-  const auto take = [&](const Definition* definition) {
-    if (!words.contains(definition->name)) return false;
-    Words names = names_in(definition->text);
-    for (const std::string& argument : definition->arguments) names.erase(argument);
-    words.merge(names);
-    return true;
-  };
-  while (std::erase_if(left, take) > 0) {
+  std::multimap<std::string_view, const Definition*> left;
+  for (const Definition& definition : definitions) left.emplace(definition.name, &definition);
+  std::vector<std::string> fresh(words.begin(), words.end());
+  while (!fresh.empty()) {
+    const std::string word = std::move(fresh.back());
+    fresh.pop_back();
+    const auto [begin, end] = left.equal_range(word);
+    for (auto used = begin; used != end; ++used) {
+      Words names = names_in(used->second->text);
+      for (const std::string& argument : used->second->arguments) names.erase(argument);
+      for (const std::string& name : names) {
+        if (words.insert(name).second) fresh.push_back(name);
+      }
+    }
+    left.erase(begin, end);
   }
   std::vector<std::string> names;
-  for (const Definition* definition : left) names.push_back(definition->name);
+  for (const Definition& definition : definitions) {
+    if (left.contains(definition.name)) names.push_back(definition.name);
+  }
   return names;
 }
 

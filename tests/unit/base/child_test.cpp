@@ -46,6 +46,18 @@ TEST(RunWithInput, PassesOnTheLastThingThatAFailingProgramSaid) {
   }
 }
 
+TEST(RunWithInput, KeepsTheEndOfAFlood) {
+  try {
+    run_with_input({"sh", "-c", "yes | head -c 100000000 >&2; echo the end >&2; exit 1"}, "",
+                   "dash");
+    FAIL();
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_TRUE(text.ends_with("the end")) << text.size();
+    EXPECT_LT(text.size(), 5000U);
+  }
+}
+
 TEST(RunWithInput, SaysThatAProgramWasEnded) {
   try {
     run_with_input({"sh", "-c", "kill -9 $$"}, "", "dash");

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <ostream>
 #include <set>
@@ -70,7 +71,7 @@ int end_in_the_middle(const fs::path& path, int signal_number,
 }
 
 TEST_F(KilledRun, LeavesNothingAtAllWhenItIsAskedToEnd) {
-  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU}) {
     const int status =
         end_in_the_middle(folder / "a", signal_number, [this] { EXPECT_EQ(names().size(), 1u); });
     EXPECT_TRUE(WIFSIGNALED(status));
@@ -91,6 +92,37 @@ TEST_F(KilledRun, LeavesNothingUnderTheFinalNameWhenItCannotEvenCleanUp) {
   EXPECT_FALSE(fs::exists(folder / "a"));
   ASSERT_EQ(names().size(), 1u);
   EXPECT_TRUE(names().begin()->starts_with(".a.")) << "a user must see whose leftover it is";
+}
+
+TEST_F(KilledRun, LeavesNothingForGoodWhenItCannotEvenCleanUp) {
+  end_in_the_middle(folder / "a", SIGKILL, [] {});
+  std::ofstream(folder / ".a.saddle-short") << "another program's";
+  std::ofstream(folder / ".a.saddle-UPPERCAS") << "another program's";
+  fs::create_symlink("nowhere", folder / ".l.saddle-abcdefgh");
+  ASSERT_EQ(names().size(), 4u);
+  const pid_t next = fork();  // a folder is swept once in the life of a process
+  if (next == 0) {
+    write_file_whole(folder / "b", [](std::ostream& out) { out << "whole"; });
+    _exit(0);
+  }
+  EXPECT_EQ(wait_for_child(next), 0);
+  EXPECT_EQ(names(),
+            (FileNames{".a.saddle-UPPERCAS", ".a.saddle-short", ".l.saddle-abcdefgh", "b"}));
+}
+
+TEST_F(KilledRun, IsNotSweptWhileItLives) {
+  end_in_the_middle(folder / "a", SIGKILL, [this] {
+    const FileNames before = names();
+    const pid_t other = fork();
+    if (other == 0) {
+      write_file_whole(folder / "b", [](std::ostream& out) { out << "whole"; });
+      _exit(0);
+    }
+    EXPECT_EQ(wait_for_child(other), 0);
+    EXPECT_EQ(before.size(), 1u);
+    EXPECT_TRUE(names().contains(*before.begin()));
+    EXPECT_TRUE(names().contains("b"));
+  });
 }
 
 TEST_F(KilledRun, GoesOnAfterASignalThatItWasStartedToIgnore) {

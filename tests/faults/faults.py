@@ -1,0 +1,344 @@
+#!/usr/bin/python3 -B
+"""Faults on purpose: system calls that fail, signals, too little memory and too few threads, random
+command lines, and input that would take for ever. Nothing may be lost, left behind, silent or
+without a bound. ./dev faults runs it whole; `--short` is the part that ./dev test has.
+
+usage: faults.py SADDLE [--short] [--seed N] [--only PART]..."""
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import random
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import hostile
+
+WORKERS = 2
+HANG = 150  # seconds of waiting for a run that takes one, on a busy machine
+SMALL = ["torus", "-s", "64x64"]
+LEFTOVER = re.compile(r"\.saddle-[a-z0-9]{8}$")
+# What reaches a terminal has no others.
+CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+
+# The calls that a run makes itself, and errors that the system may give for them.
+CALLS = {"openat": "EMFILE", "write": "ENOSPC", "fsync": "EIO", "rename": "EACCES",
+         "close": "EIO", "clone3": "EAGAIN", "flock": "ENOLCK", "unlink": "EPERM"}
+SIGNALS = ["TERM", "INT", "HUP", "QUIT", "KILL"]
+LOADER_STATUS = 127  # of the dynamic linker, before there is a program
+
+
+class Run:
+    """A command that has ended: status (negative: a signal), err, processor seconds, bytes."""
+
+    def __init__(self, words, folder, limit=None, environment=None):
+        def prepare():
+            for stop in (signal.SIGINT, signal.SIGHUP, signal.SIGQUIT):
+                signal.signal(stop, signal.SIG_DFL)
+            resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+            if limit:
+                limit()
+
+        env = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        env.update(environment or {})
+        self.words = [str(word) for word in words]
+        with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
+            child = subprocess.Popen(self.words, cwd=folder, stdin=subprocess.DEVNULL, stdout=out,
+                                     stderr=err, preexec_fn=prepare, env=env)
+            self.status, usage = self.wait(child)
+            out.seek(0)
+            err.seek(0)
+            self.out = out.read().decode(errors="replace")
+            self.err = err.read().decode(errors="replace")
+        self.seconds = usage.ru_utime + usage.ru_stime
+        self.bytes = usage.ru_maxrss * 1024
+
+    def wait(self, child):
+        end = time.monotonic() + HANG
+        while time.monotonic() < end:
+            pid, status, usage = os.wait4(child.pid, os.WNOHANG)
+            if pid:
+                child.returncode = os.waitstatus_to_exitcode(status)
+                return child.returncode, usage
+            time.sleep(0.01)
+        child.kill()
+        _, _, usage = os.wait4(child.pid, 0)
+        child.returncode = -9
+        return "hangs", usage
+
+
+class Faults:
+    def __init__(self, options):
+        self.saddle = str(pathlib.Path(options.saddle).resolve())
+        self.short = options.short
+        self.seed = options.seed
+        self.root = pathlib.Path(tempfile.mkdtemp(prefix="faults-"))
+        self.failures = []
+        self.counts = {}
+
+    def folder(self):
+        return pathlib.Path(tempfile.mkdtemp(dir=self.root))
+
+    def all(self, part, check, cases):
+        """Runs check(case), which returns what is wrong or None, for each of the cases."""
+        cases = list(cases)
+        with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
+            for case, wrong in zip(cases, pool.map(check, cases)):
+                if wrong:
+                    self.failures.append((part, case, wrong))
+        self.counts[part] = len(cases)
+
+    # --- what a picture of SMALL must be, and its folder -----------------------------------------
+
+    def reference(self):
+        folder = self.folder()
+        run = Run([self.saddle, *SMALL, "-o", "a.png"], folder)
+        if run.status != 0:
+            sys.exit(f"the program does not run: {run.err}")
+        return (folder / "a.png").read_bytes()
+
+    def wrong_picture(self, run, folder, whole, statuses, may_be_silent=False):
+        """What is wrong with a run that was to replace the file a.png, which was b"old"."""
+        if run.status not in statuses:
+            return f"status {run.status}: {run.err[-300:]}"
+        content = (folder / "a.png").read_bytes() if (folder / "a.png").exists() else None
+        if content not in (b"old", whole):
+            return "a.png is neither the old nor the new one"
+        if run.status == 0 and content != whole:
+            return "status 0, and the old file is there"
+        if run.status == 1 and not run.err.strip() and not may_be_silent:
+            return "status 1 without a word"
+        names = {p.name for p in folder.iterdir()} - {"a.png"}
+        return f"left behind: {names}" if names else None
+
+    def replaced(self, prefix, limit=None):
+        folder = self.folder()
+        (folder / "a.png").write_bytes(b"old")
+        run = Run([*prefix, self.saddle, *SMALL, "-o", "a.png"], folder, limit)
+        return run, folder
+
+    def calls_of(self, names):
+        """How often a thread of a run makes each call, at the most."""
+        log = self.root / "calls"
+        Run(["strace", "-f", "-qq", "-o", log, "-e", "trace=" + ",".join(names), self.saddle,
+             *SMALL, "-o", "a.png"], self.folder())
+        most = {}
+        per_thread = {}
+        for line in log.read_text(errors="replace").splitlines():
+            match = re.match(r"(\d+) +(\w+)\(", line)
+            if match:
+                per_thread[match.groups()] = per_thread.get(match.groups(), 0) + 1
+        for (_, name), count in per_thread.items():
+            most[name] = max(most.get(name, 0), count)
+        return most
+
+    def injections(self, names, step):
+        for name, count in self.calls_of(names).items():
+            for n in range(1, count + 1, step):
+                yield name, n
+
+    # --- the five parts --------------------------------------------------------------------------
+
+    def calls(self):
+        """Each system call fails once."""
+        whole = self.reference()
+        if not self.calls_of(["fsync"]).get("fsync"):
+            self.failures.append(("calls", "fsync", "no file is flushed to the disk"))
+
+        def check(case):
+            name, n = case
+            run, folder = self.replaced(
+                ["strace", "-f", "-qq", "-o", "/dev/null", "-e", f"trace={name}", "-e",
+                 f"inject={name}:error={CALLS[name]}:when={n}"])
+            if run.status == LOADER_STATUS:
+                return None
+            if name == "unlink":  # what cannot be removed is left
+                for path in folder.iterdir():
+                    if LEFTOVER.search(path.name):
+                        path.unlink()
+            # The message itself may be what could not be written.
+            return self.wrong_picture(run, folder, whole, (0, 1), name == "write")
+
+        self.all("calls", check, self.injections(list(CALLS), 9 if self.short else 1))
+
+    def signals(self):
+        """A signal at each system call."""
+        whole = self.reference()
+        names = ["openat", "write", "rename", "fsync", "flock"]
+
+        def check(case):
+            kind, (name, n) = case
+            run, folder = self.replaced(
+                ["strace", "-f", "-qq", "-o", "/dev/null", "-e", f"trace={name}", "-e",
+                 f"inject={name}:signal={kind}:when={n}"])
+            ended = -getattr(signal, "SIG" + kind)
+            left = [path for path in folder.iterdir() if LEFTOVER.search(path.name)]
+            if kind == "KILL" and left:  # the next run removes it
+                again = Run([self.saddle, *SMALL, "-o", "a.png"], folder)
+                if again.status != 0:
+                    return again.err
+            return self.wrong_picture(run, folder, whole, (0, ended)) if run.status != 0 else None
+
+        places = list(self.injections(names, 1))
+        step = 12 if self.short else 2
+        cases = [(kind, place) for i, kind in enumerate(SIGNALS) for place in places[i::step]]
+        self.all("signals", check, cases)
+
+    def limits(self):
+        """Too little memory, too few threads."""
+        whole = self.reference()
+
+        def memory(mebibytes):
+            def limit():
+                resource.setrlimit(resource.RLIMIT_AS, (mebibytes << 20, mebibytes << 20))
+
+            run, folder = self.replaced([], limit)
+            loader = run.status == LOADER_STATUS
+            return None if loader else self.wrong_picture(run, folder, whole, (0, 1))
+
+        def data(mebibytes):
+            folder = self.folder()
+            (folder / "a.png").write_bytes(b"old")
+            run = Run([self.saddle, *SMALL, "-o", "a.png", "--max-memory", f"{mebibytes}MiB"],
+                      folder)
+            return self.wrong_picture(run, folder, whole, (0, 1))
+
+        def threads(count):
+            user = 1_000_000 + os.getpid() * 100 + count
+
+            def limit():
+                resource.setrlimit(resource.RLIMIT_NPROC, (count, count))
+                os.setgid(user)
+                os.setuid(user)
+
+            folder = self.folder()
+            os.chmod(self.root, 0o755)
+            (folder / "a.png").write_bytes(b"old")
+            os.chown(folder, user, user)
+            os.chown(folder / "a.png", user, user)
+            run = Run([self.saddle, *SMALL, "-o", "a.png"], folder, limit)
+            return self.wrong_picture(run, folder, whole, (0, 1))
+
+        step = 40 if self.short else 6
+        self.all("address space", memory, range(200, 520, step))
+        self.all("--max-memory", data, range(64, 400, step))
+        if os.geteuid() == 0:
+            self.all("threads", threads, range(2, 17, 6 if self.short else 1))
+
+    def words(self):
+        """Random command lines."""
+        source = random.Random(self.seed)
+
+        def check(words):
+            folder = self.folder()
+            (folder / "s.toml").write_text('[params]\na=1\n[[surface]]\nz="a*u*v"\n')
+            run = Run([self.saddle, *words], folder)
+            if run.status not in (0, 1, 2, 3):
+                return f"status {run.status}: {run.err[-300:]}"
+            if run.status != 0 and not run.err.strip():
+                return "fails without a word"
+            if CONTROL.search(run.err):
+                return f"control characters: {run.err!r}"
+            left = [p.name for p in folder.iterdir() if LEFTOVER.search(p.name)]
+            if left:
+                return f"left behind: {left}"
+            outputs = [w for option, w in zip(words, words[1:]) if option == "-o"]
+            missing = [w for w in outputs if "%" not in w and not (folder / w).exists()]
+            if run.status == 0 and missing:
+                return f"missing: {missing}"
+            written = [w for w in outputs if (folder / w).exists()]
+            return f"status {run.status}, with {written}" if run.status != 0 and written else None
+
+        self.all("words", check, hostile.command_lines(source, 40 if self.short else 500))
+
+    def corpus(self):
+        """Input that would take for ever, or fool somebody; within seconds and bytes."""
+
+        def check(case):
+            folder = self.folder()
+            for name, content in case.files().items():
+                (folder / name).write_bytes(content)
+            run = Run([self.saddle, *case.words], folder)
+            if run.status not in case.statuses:
+                return f"status {run.status}: {run.err[-300:]}"
+            if run.seconds > case.seconds:
+                return f"{run.seconds:.0f} s of a processor"
+            if run.bytes > case.bytes:
+                return f"{run.bytes / 1e6:.0f} MB"
+            if case.says not in run.err:
+                return f"does not say '{case.says}': {run.err[-300:]}"
+            if CONTROL.search(run.err) or CONTROL.search(run.out):
+                return "control characters reach the terminal"
+            strangers = {p.name for p in folder.iterdir()} - set(case.files()) - set(case.words)
+            if not self.short:
+                print(f"  {run.seconds:6.1f} s {run.bytes / 1e6:6.0f} MB  {case.name}", flush=True)
+            return f"wrote {strangers}" if strangers else None
+
+        self.all("corpus", check, hostile.corpus(self.short))
+        self.all("claims", self.claim, [None])
+        if not self.short:
+            self.all("films", self.film, ["a.gif", "a.mp4", "a.webm"])
+
+    def claim(self, _):
+        """A picture takes no connection and no other program, and reads nothing that a scene names."""
+        if not shutil.which("strace"):
+            return None
+        folder = self.folder()
+        (folder / "s.toml").write_text('title="/etc/shells"\n[[surface]]\nname="/etc/shells"\nz="u"\n')
+        log = folder / "log"
+        Run(["strace", "-f", "-qq", "-o", log, "-e", "trace=%network,execve,openat", self.saddle,
+             "s.toml", "-s", "32x32", "-o", "a.png"], folder)
+        lines = log.read_text(errors="replace").splitlines()
+        # The system's library asks its own daemon on this machine for the user's home.
+        wrong = [line for line in lines if "/etc/shells" in line or "AF_UNIX" not in line and
+                 re.search(r" (connect|socket|bind|sendto)\(", line)]
+        programs = [line for line in lines if " execve(" in line]
+        return str(wrong + programs[1:]) if wrong or len(programs) != 1 else None
+
+    def film(self, name):
+        folder = self.folder()
+        contents = set()
+        for threads in ("1", "2", "3", "4", "8"):
+            run = Run([self.saddle, "z=sin(3*u+t)", "-s", "96x96", "--frames", "8", "--threads",
+                       threads, "-o", name], folder)
+            if run.status != 0:
+                return run.err
+            contents.add((folder / name).read_bytes())
+        return None if len(contents) == 1 else f"{len(contents)} different files"
+
+
+PARTS = ["calls", "signals", "limits", "words", "corpus"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("saddle")
+    parser.add_argument("--short", action="store_true", help="the part that ./dev test has")
+    parser.add_argument("--seed", type=int, default=1, help="of the random command lines")
+    parser.add_argument("--only", action="append", choices=PARTS)
+    options = parser.parse_args()
+    faults = Faults(options)
+    begin = time.monotonic()
+    try:
+        for part in options.only or PARTS:
+            if part in ("calls", "signals") and not shutil.which("strace"):
+                print(f"{part}: left out, there is no strace")
+                continue
+            getattr(faults, part)()
+    finally:
+        shutil.rmtree(faults.root)
+    for part, case, wrong in faults.failures:
+        print(f"FAILED {part}: {case}: {wrong}")
+    counts = ", ".join(f"{count} {part}" for part, count in faults.counts.items())
+    print(f"{counts}; {len(faults.failures)} failed; {time.monotonic() - begin:.0f} s")
+    return 1 if faults.failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
