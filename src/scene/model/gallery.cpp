@@ -95,6 +95,9 @@ const auto& entries() {
       {"enneper-polar", "Enneper's surface of order n",
        "x=u*cos(v)-u^(2*n+1)*cos((2*n+1)*v)/(2*n+1) y=u*sin(v)+u^(2*n+1)*sin((2*n+1)*v)/(2*n+1) "
        "z=2*u^(n+1)*cos((n+1)*v)/(n+1) u=0:1.2 v=0:2*pi n=3"},
+      {"enneper-order", "Enneper's surface of order n, from its Weierstrass data 1 and w^n",
+       "xyz=(re(w-w^(2*n+1)/(2*n+1)),re(i*(w+w^(2*n+1)/(2*n+1))),re(2*w^(n+1)/(n+1))) w=u*e^(i*v) "
+       "u=0:1.2 v=0:2*pi n=2"},
       {"scherk-1", "a cell of Scherk's first minimal surface",
        "x=u y=v z=ln(cos(v)/cos(u)) u=-1.5:1.5 v=-1.5:1.5"},
       {"scherk-1-chequerboard", "cells of Scherk's first minimal surface with poles around them",
@@ -108,8 +111,17 @@ const auto& entries() {
       {"henneberg", "Henneberg's one-sided minimal surface",
        "x=2*sinh(u)*cos(v)-2/3*sinh(3*u)*cos(3*v) y=2*sinh(u)*sin(v)+2/3*sinh(3*u)*sin(3*v) "
        "z=2*cosh(2*u)*cos(2*v) u=0.05:1 v=0:2*pi"},
+      {"henneberg-band",
+       "Henneberg's surface from its Weierstrass data, both halves: a Moebius band",
+       "xyz=(re(w-w^3/3-1/w+w^-3/3),re(i*(w+w^3/3+1/w+w^-3/3)),re(w^2+w^-2)) w=e^(u+i*v) "
+       "u=-0.8:0.8 v=0:pi",
+       from({2, 2, 1})},
       {"catalan", "Catalan's minimal surface: its geodesic is a cycloid",
        "x=u-cosh(v)*sin(u) y=1-cos(u)*cosh(v) z=4*sin(u/2)*sinh(v/2) u=-2*pi:2*pi v=-1.5:1.5"},
+      {"catalan-bjorling",
+       "Bjoerling's formula with a cycloid (a,b) as a geodesic: Catalan's surface",
+       "xyz=(re(a(w)),re(b(w)),im(l(w))) w=u+i*v a(s)=s-sin(s) b(s)=1-cos(s) l(s)=-4*cos(s/2) "
+       "u=-2*pi:2*pi v=-1.5:1.5"},
       {"richmond", "Richmond's minimal surface, from Weierstrass's formula",
        "xyz=(re(-1/w-w^3/3)/2,re(i*(w^3/3-1/w))/2,re(w)) w=u*e^(i*v) u=0.5:1.3 v=0:2*pi",
        from({2, -3, 3})},
@@ -117,6 +129,19 @@ const auto& entries() {
        "x=u*cos(v)-u^2*cos(2*v)/2 y=-u*sin(v)-u^2*sin(2*v)/2 z=4/3*u^1.5*cos(1.5*v) u=0:1 "
        "v=0:4*pi",
        from({2, -3, 3})},
+      {"trinoid", "Jorge and Meeks's minimal surface with three catenoids as ends",
+       "xyz=(re((w^2-w)/(w^3-1))/2-ln(abs((w-1)^2/(w^2+w+1)))/3,"
+       "re(-i*(w+w^2)/(w^3-1))/2+ln(abs((w-o)/(w-conj(o))))/sqrt(3),re(-1/(w^3-1))) "
+       "w=tan(v/2)*e^(i*u) o=e^(2*pi*i/3) u=0:2*pi v=0:pi where=abs(w^3-1)>c*max(1,abs(w)^3) c=0.4",
+       from({1, -2, 2.5})},
+      // Weierstrass's zeta Z and P of the square lattice from the theta series T; the factor A
+      // makes the periods of the coordinates 0.
+      {"chen-gackstatter", "Chen and Gackstatter's minimal surface: a torus with Enneper's end",
+       "xyz=(re(A*(Q-g*w)*2/3+Z)/-2,re(i*(A*(Q-g*w)*2/3-Z))/2,re(sqrt(A)*P)) A=3*pi/(2*g) "
+       "g=4*6.875185818020372^2 Z=diff(T,u)/T+pi*w P=-diff(Z,u) Q=diff(P,u) "
+       "T=sum((-1)^n*e^(-pi*n*(n+1))*sin((2*n+1)*pi*w),n=0:4) w=u+i*v u=-0.5:0.5 v=-0.5:0.5 "
+       "where=abs(P)<c c=20",
+       from({3, 1, 1.2})},
       // By the logarithm l of Jacobi's |theta_1(p + iq)| on the square lattice: the slopes of a are
       // those of Weierstrass's zeta, b and c are the same half a period away, and b - c is half the
       // logarithm of |(P - e1) / (P + e1)|. h() takes p and q to the middle period, where four
@@ -160,6 +185,10 @@ const auto& entries() {
        "x=6*cos(u)*(1+sin(u))+(u<pi?r*cos(u)*cos(v):-r*cos(v)) "
        "y=16*sin(u)+(u<pi?r*sin(u)*cos(v):0) z=r*sin(v) u=0:2*pi v=0:2*pi r=4*(1-cos(u)/2)",
        from({1, 0.5, 3}, {0, 1, 0})},
+      {"klein-lawson", "Lawson's minimal Klein bottle of the 3-sphere, seen from a point off it",
+       "xyz=(re(p),(im(p)-re(q))/sqrt(2),im(q))/(1-(im(p)+re(q))/sqrt(2)) p=cos(v)*e^(2*i*u) "
+       "q=sin(v)*e^(i*u) u=0:pi v=0:2*pi",
+       from({2, -3, 2.5})},
       {"cross-cap", "cross-cap: a projective plane with two pinch points",
        "x=cos(u)*sin(2*v) y=sin(u)*sin(2*v) z=cos(v)^2-cos(u)^2*sin(v)^2 u=0:pi v=0:pi"},
       {"roman", "Steiner's Roman surface with six pinch points",
@@ -169,6 +198,10 @@ const auto& entries() {
        "x=(sqrt(2)*cos(v)^2*cos(2*u)+cos(u)*sin(2*v))/d "
        "y=(sqrt(2)*cos(v)^2*sin(2*u)-sin(u)*sin(2*v))/d z=3*cos(v)^2/d u=-pi/2:pi/2 v=0:pi "
        "d=2-sqrt(2)*sin(3*u)*sin(2*v)",
+       from({2, -3, 2})},
+      {"boy-bryant-kusner", "Boy's surface of the least bending (Bryant and Kusner)",
+       "xyz=p/dot(p,p) p=(1.5*im(w*(w^4-1)/m),-1.5*re(w*(w^4+1)/m),im((w^6+1)/m)-0.5) "
+       "m=w^6+sqrt(5)*w^3-1 w=tan(v/2)*e^(i*u) u=0:pi v=-pi/2:pi/2",
        from({2, -3, 2})},
 
       // Singularities.
@@ -192,9 +225,32 @@ const auto& entries() {
        "x=u*cos(v) y=u*sin(v) z=h*v u=0.02:1 v=-n*pi:n*pi h=1/6 n=3", from({2, -3, 3})},
       {"riemann-asin", "Riemann surface of the arc sine",
        "x=sin(u)*cosh(v) y=cos(u)*sinh(v) z=u u=-pi:pi v=-1.5:1.5"},
+      {"riemann-asin-imaginary", "imaginary part of the arc sine on its Riemann surface",
+       "xyz=(re(sin(w)),im(sin(w)),im(w)) w=u+i*v u=0:2*pi v=-1.5:1.5", from({2, -3, 1})},
+      {"riemann-conic", "Riemann surface of sqrt(z^2-1): two sheets, joined at 1 and -1",
+       "xyz=(re(cosh(w)),im(cosh(w)),h*re(sinh(w))) w=u+i*v u=-1:1 v=0:2*pi h=1"},
 
       {"sine-modulus", "relief of the absolute value of sin(u + i*v)",
        "z=abs(sin(u+i*v)) u=-pi:pi v=-1.5:1.5", from({2, -3, 2})},
+      // Stirling's series 16 further on, where it has a double's digits.
+      {"gamma-modulus", "relief of the absolute value of gamma(u + i*v), after Jahnke and Emde",
+       "z=e^re((s-0.5)*ln(s)-s+1/(12*s)-1/(360*s^3)+1/(1260*s^5)-1/(1680*s^7)+1/"
+       "(1188*s^9))*sqrt(2*pi)"
+       "/abs(prod(w+k,k=0:15)) s=w+16 w=u+i*v u=-3.5:4 v=-3:3",
+       from({2, -3, 2}), within({-4, -3, 0}, {4, 3, 6.5})},
+      // The alternating sum of Dirichlet's eta, whose terms have the weights of P. Borwein, 1995.
+      {"zeta-modulus",
+       "relief of the absolute value of Riemann's zeta: pole, three zeros; y is v/4",
+       "xyz=(u,v/4,abs(sum((-1)^k*h(k)*(k+1)^-w,k=0:47)/(1-2^(1-w)))) w=u+i*v u=0.05:3 v=-3:26 "
+       "h(k)=sum(b(j),j=k+1:48)/sum(b(j),j=0:48) b(j)=gamma(48+j)*4^j/(gamma(49-j)*gamma(2*j+1))",
+       from({-3, -2, 2}), within({0, -1, 0}, {3, 7, 4})},
+      {"weierstrass-function", "partial sum of Weierstrass's function without a derivative",
+       "z=sum(a^n*cos(b^n*pi*u)*cos(b^n*pi*v),n=0:N)/4 u=0:1 v=0:1 a=0.5 b=3 N=3",
+       from({2, -3, 4})},
+      {"fourier-drum", "a square drum at the time t after it was plucked in the middle",
+       "z=h*sum(sum(b(m)*b(n)*sin(m*u)*sin(n*v)*cos(hypot(m,n)*t),m=1:N),n=1:N) h=2 "
+       "b(n)=8*sin(n*pi/2)/(pi*n)^2 N=15 u=0:pi v=0:pi t=0.8",
+       from({2, -3, 2})},
 
       // Tubes, shells and other bodies.
       {"bohemian-dome", "an ellipse carried along another",
@@ -219,6 +275,20 @@ const auto& entries() {
        "xyz=tube(k,u,r,v) k=((2+cos(2*u))*cos(3*u),(2+cos(2*u))*sin(3*u),sin(4*u)) "
        "u=0:2*pi v=0:2*pi r=0.4",
        from({1, -1.5, 3})},
+      {"torus-knot", "tube of radius r round a knot on a torus: a trefoil",
+       "xyz=tube(k,u,r,v) k=((R+cos(q*u))*cos(p*u),(R+cos(q*u))*sin(p*u),sin(q*u)) u=0:2*pi "
+       "v=0:2*pi "
+       "p=2 q=3 R=2 r=0.4",
+       from({1, -1.5, 3})},
+      {"hopf-torus", "the circles of the 3-sphere that Hopf's map takes to a curve with n waves",
+       "xyz=(re(p),im(p),re(q))/(1-im(q)) p=cos(s/2)*e^(i*v) q=sin(s/2)*e^(i*(u+v)) "
+       "s=pi/2+a*sin(n*u) u=0:2*pi v=0:2*pi a=0.5 n=3",
+       from({2, -1, 3})},
+      {"dupin-cyclide", "Dupin's cyclide: a torus that is reflected in the sphere around c",
+       "xyz=c-k*d/dot(d,d) d=((R+r*cos(v))*cos(u),(R+r*cos(v))*sin(u),r*sin(v))-c c=(a,0,0) "
+       "u=0:2*pi "
+       "v=0:2*pi R=2 r=0.8 a=4 k=9",
+       from({1, -3, 3})},
       {"seashell", "a horn that grows along a spiral",
        "x=2*(1-exp(u/(6*pi)))*cos(u)*cos(v/2)^2 y=2*(exp(u/(6*pi))-1)*sin(u)*cos(v/2)^2 "
        "z=1-exp(u/(3*pi))+sin(v)-exp(u/(6*pi))*sin(v) u=0:6*pi v=0:2*pi"},

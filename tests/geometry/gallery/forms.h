@@ -23,9 +23,11 @@ struct Jet {
   dvec3 u, v, uu, uv, vv;
 };
 
-/// Derivatives of a surface at points inside of its domain where it is defined, off its symmetric
-/// lines.
-inline std::vector<Jet> jets(const Scene& scene) {
+/// Derivatives of a surface at `count`^2 points inside of its domain, evenly spaced, where it is
+/// defined; `off_u`, `off_v`: their places in the cells, 0 to 1. The usual ones are off its
+/// symmetric lines.
+inline std::vector<Jet> jets(const Scene& scene, std::size_t count = 13, double off_u = 0.37,
+                             double off_v = 0.59) {
   Graph graph;
   const SurfaceSpec& spec = scene.surfaces.at(0);
   Scope scope(graph, surface_definitions(scene, spec), surface_view(scene, spec));
@@ -41,12 +43,11 @@ inline std::vector<Jet> jets(const Scene& scene) {
   const Tape tape = compile(graph, outputs);
 
   const Domain d = prepare_surface(scene, spec).surface.domain;
-  constexpr std::size_t kCount = 13;
   std::vector<double> u;
   std::vector<double> v;
-  for (std::size_t i = 0; i < kCount * kCount; ++i) {
-    u.push_back(d.u0 + (d.u1 - d.u0) * (double(i % kCount) + 0.37) / kCount);
-    v.push_back(d.v0 + (d.v1 - d.v0) * (double(i / kCount) + 0.59) / kCount);
+  for (std::size_t i = 0; i < count * count; ++i) {
+    u.push_back(d.u0 + (d.u1 - d.u0) * (double(i % count) + off_u) / double(count));
+    v.push_back(d.v0 + (d.v1 - d.v0) * (double(i / count) + off_v) / double(count));
   }
   std::vector<std::vector<double>> columns(outputs.size(), std::vector<double>(u.size()));
   std::vector<double*> starts;

@@ -23,6 +23,7 @@ inline Scene scene_of(const std::string& name, const std::vector<std::string>& o
   }
   Scene scene = gallery_scene(*entry);
   for (const std::string& text : overrides) override_assignment(scene, text);
+  if (!scene.t.text.empty()) scene.t = std::stod(scene.t.text);
   return scene;
 }
 

@@ -61,5 +61,8 @@ std::vector<GalleryFacts> pseudospherical_surfaces();
 std::vector<GalleryFacts> one_sided_surfaces();
 std::vector<GalleryFacts> singular_surfaces();
 std::vector<GalleryFacts> tubes_and_shells();
+std::vector<GalleryFacts> minimal_surfaces_of_complex_numbers();
+std::vector<GalleryFacts> surfaces_of_the_three_sphere();
+std::vector<GalleryFacts> functions_and_sums();
 
 }  // namespace saddle

@@ -36,8 +36,9 @@ bool is_drawn(const Scene& scene, const dvec3& p) {
   return !scene.clip.box || scene.clip.box->contains(p);
 }
 
-/// Points of a grid that includes the ends of both ranges, that are drawn.
-void expect_extents(const GalleryFacts& facts, const Scene& scene) {
+/// Of points of a grid that includes the ends of both ranges, that are drawn, and of the mesh,
+/// whose rims are where a condition or the clip box ends the surface.
+void expect_extents(const GalleryFacts& facts, const Scene& scene, const Mesh& mesh) {
   // A peak is missed by half a step at most. The formulas have up to 12 waves in a range, 32 steps
   // for each: 1 - cos(pi / 32) = 0.48 %. The table's rounding is far less. Clip boxes are met by
   // points as well: a wall that rises to one does so over some tens of steps.
@@ -51,6 +52,7 @@ void expect_extents(const GalleryFacts& facts, const Scene& scene) {
     if (is_defined && is_drawn(scene, point.position)) bounds.add(point.position);
   }
   EXPECT_EQ(is_holed, facts.holed);
+  for (const dvec3& p : mesh.position) bounds.add(p);
   for (int axis = 0; axis < 3; ++axis) {
     const double expected = facts.extents[axis];
     if (std::isinf(expected)) continue;
@@ -161,11 +163,11 @@ TEST_P(GalleryTable, HasOnlyExactNormalsThatOpposeTheirTriangle) {
 
 TEST_P(GalleryTable, Holds) {
   const Scene scene = scene_of(GetParam());
-  expect_extents(facts(), scene);
   expect_identities(facts(), scene);
   const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
   expect_grid(facts(), surface);
   const MeshResult mesh = mesh_of(surface, scene, 3e-3);
+  expect_extents(facts(), scene, mesh.mesh);
   expect_report(facts(), mesh.report);
   EXPECT_EQ(count_opposed(surface, mesh.mesh, mesh.report.tolerance.value()), 0U);
   const Topology t = topology(mesh.mesh);
