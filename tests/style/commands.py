@@ -16,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 
+import markdown
 import tree
 
 PAGES = ["README.md", "docs/TUTORIAL.md", "docs/COOKBOOK.md", "docs/FAQ.md"]
@@ -25,7 +26,6 @@ MAGIC = {".png": b"\x89PNG\r\n\x1a\n", ".ply": b"ply\n", ".stl": b"", ".obj": b"
          ".3mf": b"PK\x03\x04", ".gif": b"GIF89a", ".mp4": b"\0\0\0", ".webm": b"\x1a\x45\xdf\xa3",
          ".html": b"<", ".svg": b"<", ".pdf": b"%PDF-", ".toml": b"", ".csv": b""}
 DRAWN = r"\.(png|gif|mp4|webm|html|svg|pdf)$"
-FENCE = re.compile(r"^```(.*)\n((?:.*\n)*?)```\n", flags=re.MULTILINE)
 USAGE = 2  # the exit status of a mistake in what was typed
 
 # The program, in pictures of SIZE; its arguments are kept in the file `runs`.
@@ -103,7 +103,7 @@ class Folder:
 
     def compare(self):
         """What is wrong with the page's pictures that its commands have made."""
-        text = (tree.ROOT / self.page).read_text(encoding="utf-8")
+        text = markdown.read(self.page)
         for link in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", text):
             shown = (tree.ROOT / self.page).parent / link
             made = self.path / shown.name
@@ -122,14 +122,14 @@ class Folder:
 
 def complaints(page):
     """Runs a page; how many blocks it has, and what is wrong."""
-    text = (tree.ROOT / page).read_text(encoding="utf-8")
+    text = markdown.read(page)
     count, wrong = 0, []
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(page, path)
-        for found in FENCE.finditer(text):
+        for found in markdown.FENCE.finditer(text):
             info, block = found.groups()
             if info in ("sh", "sh fails"):
-                below = FENCE.match(text, found.end())
+                below = markdown.FENCE.match(text, found.end())
                 output = below[2] if below and below[1] == "text" else None
                 wrong += folder.run(block, USAGE if info == "sh fails" else 0, output)
             elif info == "sh window":
@@ -143,7 +143,7 @@ def complaints(page):
 
 def unused():
     """Pictures of commands that no page shows."""
-    shown = "".join((tree.ROOT / page).read_text(encoding="utf-8") for page in PAGES)
+    shown = "".join(markdown.read(page) for page in PAGES)
     for file in tree.files(*PICTURES):
         if f"{file.parent.name}/{file.name}" not in shown:
             yield f"{file}: no page shows it"
