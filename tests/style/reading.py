@@ -26,7 +26,7 @@ def prose(text):
 def sentences(text):
     """The sentences of a page, each a list of words."""
     for paragraph in prose(text):
-        for sentence in re.split(r"(?<=[.!?])[)\"']*\s+(?=[A-Z`x0-9*(-])", paragraph):
+        for sentence in re.split(r"(?<=[.!?])(?<!\b[A-Z]\.)[)\"']*\s+", paragraph):
             words = re.findall(r"[^\W_][\w'’.,/+-]*", sentence)
             if words:
                 yield words
