@@ -21,7 +21,7 @@ import tree
 
 PAGES = ["README.md", *(f"docs/{name}.md" for name in ("TUTORIAL", "COOKBOOK", "FAQ", "COLORS", "PAGES", "SCENES",
                                                         "VIEWER", "REPORT", "LANGUAGE",
-                                                        "GALLERY"))]
+                                                        "GALLERY", "FORMATS"))]
 PICTURES = ["docs/tutorial", "docs/cookbook"]  # folders that hold nothing but what commands make
 SIZE = "400x300"  # of pictures whose command names no size: small ones are quick, and short files
 MAGIC = {".png": b"\x89PNG\r\n\x1a\n", ".ply": b"ply\n", ".stl": b"", ".obj": b"#", ".glb": b"glTF",
