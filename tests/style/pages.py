@@ -1,6 +1,7 @@
 #!/usr/bin/python3 -B
 """Links of the Markdown pages lead to files and headings that exist, pictures exist and are
-described, README leads to every page, and blocks of code are closed, named and well-formed."""
+described, README leads to every page, files that pages name exist, and blocks of code are closed,
+named and well-formed."""
 import re
 import subprocess
 import tomllib
@@ -30,6 +31,16 @@ def link_complaints(page, linked):
             yield f"{page}: {target}: there is no such heading"
         if file.suffix == ".md":
             linked.setdefault(page, set()).add(file.relative_to(tree.ROOT))
+
+
+def path_complaints(page):
+    """Files and folders of the project that a page names as code, and that are not there."""
+    of_code = page.parts[0] == "src"  # its pages name files from their own folder on
+    folders = r"[a-z.]+" if of_code else r"\.ci|cmake|docs|examples|shaders|src|tests"
+    starts = [tree.ROOT, tree.ROOT / page.parent]
+    for path in re.findall(rf"`((?:{folders})/[a-z0-9_./-]+)`", markdown.read(page)):
+        if not any((start / path).exists() or any(start.glob(f"{path}.*")) for start in starts):
+            yield f"{page}: {path} does not exist"
 
 
 def block_complaints(page):
@@ -67,5 +78,6 @@ def unreached(linked, pages):
 
 found = markdown.pages()
 links = {}
-complaints = [line for page in found for line in (*link_complaints(page, links), *block_complaints(page))]
+complaints = [line for page in found for check in (link_complaints(page, links), path_complaints(page), block_complaints(page))
+              for line in check]
 tree.finish([*complaints, *unreached(links, found)], len(found), "Markdown pages")
