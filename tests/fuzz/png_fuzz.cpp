@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/image_png.h"
-#include "export/scene_png.h"
+#include "export/pictures/scene_png.h"
 #include "scene/toml/scene_file.h"
 
 namespace {
