@@ -7,11 +7,14 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <ostream>
 #include <string_view>
 #include <vector>
+
+#include "export/common/number_text.h"
 
 namespace saddle {
 
@@ -64,38 +67,55 @@ class TextWriter {
     return *this;
   }
 
+  TextWriter& put(char c) {
+    reserve();
+    buffer_[used_++] = c;
+    return *this;
+  }
+
   /// `doubles`: to all digits; else to those of a float.
   TextWriter& real(double number, bool doubles) {
     reserve();
     char* const begin = buffer_.data() + used_;
     const double plain = number + 0.0;  // no "-0"
-    const auto end = doubles ? std::to_chars(begin, begin + kLongest, plain)
-                             : std::to_chars(begin, begin + kLongest, static_cast<float>(plain));
-    used_ += static_cast<std::size_t>(end.ptr - begin);
+    const char* const end = doubles ? std::to_chars(begin, begin + kLongest, plain).ptr
+                                    : write_float(begin, static_cast<float>(plain));
+    used_ += static_cast<std::size_t>(end - begin);
     return *this;
   }
 
-  /// A coordinate of a unit vector, to kUnitDigits behind the point: many times quicker than
+  /// A coordinate of a unit vector, to six digits behind the point: many times quicker than
   /// real().
   TextWriter& unit(double number) {
-    constexpr int kUnitDigits = 6;  // as near as a normal's angle in floats
-    constexpr long kUnit = 1'000'000;
+    constexpr long kUnit = 1'000'000;  // as near as a normal's angle in floats
     const long count = std::lround(std::clamp(number, -1.0, 1.0) * kUnit);
-    if (count == 0) return *this << "0";
-    if (count < 0) *this << "-";
-    long rest = std::abs(count);
-    if (rest == kUnit) return *this << "1";
-    std::array<char, kUnitDigits + 2> text{'0', '.'};
-    for (std::size_t i = text.size(); i-- > 2; rest /= 10) {
-      text[i] = static_cast<char>('0' + rest % 10);
-    }
-    return *this << std::string_view(text.data(), text.size());
+    if (count == 0) return put('0');
+    if (count < 0) put('-');
+    if (std::abs(count) == kUnit) return put('1');
+    reserve();
+    char* const begin = buffer_.data() + used_;
+    const char* const end = write_millionths(begin, static_cast<std::uint32_t>(std::abs(count)));
+    used_ += static_cast<std::size_t>(end - begin);
+    return *this;
   }
 
   TextWriter& whole(std::size_t number) {
     reserve();
     char* const begin = buffer_.data() + used_;
-    used_ += static_cast<std::size_t>(std::to_chars(begin, begin + kLongest, number).ptr - begin);
+    used_ += static_cast<std::size_t>(write_whole(begin, number) - begin);
+    return *this;
+  }
+
+  /// A corner of a face in OBJ, " v/corner/corner".
+  TextWriter& corner(std::size_t v, std::size_t corner) {
+    reserve(3 * kLongest);
+    char* at = buffer_.data() + used_;
+    char* const begin = at;
+    *at++ = ' ';
+    at = write_whole(at, v);
+    *at++ = '/';
+    at = write_twice(at, corner, '/');
+    used_ += static_cast<std::size_t>(at - begin);
     return *this;
   }
 
@@ -106,9 +126,9 @@ class TextWriter {
 
  private:
   static constexpr std::size_t kBytes = std::size_t{1} << 16;
-  static constexpr std::size_t kLongest = 32;  ///< characters of a number, 24 at most
-  void reserve() {
-    if (kBytes - used_ < kLongest) flush();
+  static constexpr std::size_t kLongest = kMostNumberText;  ///< characters of a number, 24 at most
+  void reserve(std::size_t bytes = kLongest) {
+    if (kBytes - used_ < bytes) flush();
   }
   std::ostream& out_;
   std::vector<char> buffer_;

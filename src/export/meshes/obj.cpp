@@ -68,8 +68,8 @@ class ObjWriter {
 
   void put_vector(std::string_view key, const dvec3& v, bool doubles) {
     writer_ << key;
-    for (int k = 0; k < 3; ++k) (writer_ << " ").real(v[k], doubles);
-    writer_ << "\n";
+    for (int k = 0; k < 3; ++k) writer_.put(' ').real(v[k], doubles);
+    writer_.put('\n');
   }
 
   /// The corner that has each point's place.
@@ -118,27 +118,23 @@ class ObjWriter {
         place.y = 1 - place.y;  // from the lower left corner
       }
       writer_ << "vt ";
-      writer_.real(place.x, doubles_) << " ";
-      writer_.real(place.y, doubles_) << "\n";
+      writer_.real(place.x, doubles_).put(' ').real(place.y, doubles_).put('\n');
     }
     for (std::size_t i = 0; i < mesh.position.size(); ++i) {
       const dvec3 normal = placed.normal(i);
       writer_ << "vn";
-      for (int k = 0; k < 3; ++k) (writer_ << " ").unit(normal[k]);
-      writer_ << "\n";
+      for (int k = 0; k < 3; ++k) writer_.put(' ').unit(normal[k]);
+      writer_.put('\n');
     }
     next_.corner += mesh.position.size();
   }
 
   void write_face(const ExportedMesh& placed, std::size_t t, const Firsts& first) {
-    writer_ << "f";
+    writer_.put('f');
     for (const std::uint32_t corner : placed.triangle(t)) {
-      writer_ << " ";
-      writer_.whole(first.v + placed.mesh->point[corner]) << "/";
-      writer_.whole(first.corner + corner) << "/";
-      writer_.whole(first.corner + corner);
+      writer_.corner(first.v + placed.mesh->point[corner], first.corner + corner);
     }
-    writer_ << "\n";
+    writer_.put('\n');
   }
 
   void write_lines(const ExportedMesh& placed, const Firsts& first) {
