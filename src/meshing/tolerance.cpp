@@ -20,9 +20,8 @@ namespace {
 /// takes 3 to 7 microseconds and 1 kB.
 constexpr std::size_t kMostTriangles = 4'000'000;
 constexpr std::size_t kEnoughTriangles = 1'000'000;
-/// The triangles of all surfaces of a scene together. Each has the same share, but at least that of
-/// a small one. The share bounds its work, too: 45 seconds for all.
-constexpr std::size_t kMostOfAll = 6'000'000;
+/// Each of many surfaces has so many at least. Together they have kMostTriangles, the same share
+/// each, which bounds the work, too: 16 microseconds for a triangle with its drawing.
 constexpr std::size_t kLeastShareOfAll = 300;
 /// The effort of all surfaces together that does not depend on triangles: ten seconds.
 constexpr std::size_t kLeastEffortOfAll = 20'000'000;
@@ -243,8 +242,8 @@ namespace {
 std::size_t triangles_asked(const Scene& scene, const SurfaceSpec& spec) {
   if (scene.mesh.max_triangles) return static_cast<std::size_t>(*scene.mesh.max_triangles);
   const std::size_t share =
-      std::max(kMostOfAll / std::max<std::size_t>(scene.surfaces.size(), 1), kLeastShareOfAll);
-  if (scene.mesh.tolerance || samples_of(scene, spec)) return std::min(kMostTriangles, share);
+      std::max(kMostTriangles / std::max<std::size_t>(scene.surfaces.size(), 1), kLeastShareOfAll);
+  if (scene.mesh.tolerance || samples_of(scene, spec)) return share;
   const auto pixels = static_cast<std::size_t>(scene.picture.width) *
                       static_cast<std::size_t>(scene.picture.height);
   return std::min(std::clamp(pixels, kEnoughTriangles, kMostTriangles), share);
