@@ -34,7 +34,7 @@ void check_type(const Value& value, const Definition& definition) {
     require_real(value, formula);
   } else if (value.type != Type::Vector3) {
     throw TypeError(formula.error("xyz is " + std::string(name_of(value.type)), formula.part,
-                                  "it is a vector of 3, for example (cos(u), sin(u), v)"));
+                                  "write (a, b, c)"));
   }
 }
 

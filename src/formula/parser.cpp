@@ -145,7 +145,7 @@ class Lifter {
     for (const Step& step : steps) {
       run(step);
       if (graph_.size() <= kMaxOperations) continue;
-      throw formula_.error("the formulas grow past 250000 operations",
+      throw formula_.error("the formulas grow past 100000 operations",
                            tokens_[stack_.back().first].span,
                            "functions that call functions multiply; use fewer levels");
     }
@@ -200,7 +200,14 @@ class Lifter {
       stack_.resize(base);
       stack_.push_back({result, first, last});
     } catch (const TypeFault& fault) {
-      throw TypeError(formula_.error(fault.message, place_of(fault, base, about), fault.hint));
+      const auto count_of = [&](Type type) {
+        return std::ranges::count(values, type, &Value::type);
+      };
+      const bool may_be_comma =
+          (count_of(Type::Vector2) > 0 && count_of(Type::Vector3) == 0) || values.size() > 3;
+      const std::string hint =
+          may_be_comma ? hint_beside_comma(tokens_, first, last, fault.hint) : fault.hint;
+      throw TypeError(formula_.error(fault.message, place_of(fault, base, about), hint));
     }
   }
 
@@ -274,12 +281,7 @@ class Lifter {
                    std::size_t most) const {
     if (count >= least && count <= most) return;
     std::string hint;
-    for (std::size_t i = index;
-         count > most && i < tokens_.size() && tokens_[i].kind != TokenKind::Close; ++i) {
-      if (tokens_[i].kind == TokenKind::Comma && is_decimal_comma(tokens_, i)) {
-        hint = "a decimal comma? write " + tokens_[i - 1].text + "." + tokens_[i + 1].text;
-      }
-    }
+    if (count > most) hint = hint_beside_comma(tokens_, index, brackets_.close_of[index + 1], "");
     const std::string wanted = std::to_string(least) + (least == 1 ? " argument" : " arguments");
     throw formula_.error("'" + tokens_[index].text + "' takes " +
                              (most > least ? "at least " : "") + wanted + ", not " +
@@ -384,6 +386,10 @@ NodeId require_real(const Value& value, const FormulaText& formula) {
   std::string hint = "write " + of("re") + ", " + of("im") + ", " + of("abs") + " or " + of("arg");
   if (value.type != Type::Complex) hint = "write (" + text + ").x or another component";
   if (value.type == Type::Frame) hint = "write (" + text + ").t.x or another component";
+  if (value.type == Type::Vector2) {
+    const std::vector<Token> tokens = tokenize(formula);
+    hint = hint_beside_comma(tokens, 0, tokens.size(), hint);
+  }
   const std::string subject = formula.name.empty() ? "this" : formula.name;
   throw TypeError(formula.error(subject + " is " + name_of(value.type), formula.part, hint));
 }

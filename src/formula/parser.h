@@ -52,7 +52,7 @@ struct Names {
 
 /// Most operations that a graph may hold. Helper functions that call each other can make a short
 /// text explode; every surface known to us stays below ten thousand.
-inline constexpr std::size_t kMaxOperations = 250'000;
+inline constexpr std::size_t kMaxOperations = 100'000;
 
 /// An Error (Input): operands whose types do not go together, or a bound that is no constant.
 class TypeError : public Error {

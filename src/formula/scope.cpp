@@ -282,6 +282,7 @@ struct Scope::Impl {
     result.known_variables = [this, arguments] {
       std::vector<std::string> known = arguments;
       known.insert(known.end(), view.parameters.begin(), view.parameters.end());
+      std::erase(known, "");  // a curve has one parameter, a point none
       known.emplace_back("t");
       add_defined(known, false);
       const std::vector<std::string> constants = constant_names();

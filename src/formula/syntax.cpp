@@ -51,6 +51,15 @@ bool is_grouped(const Token& left, const Token& right) {
   throw formula.error("an operator is missing", span, hint);
 }
 
+/// Digits, a comma and digits without a space: 0,5.
+bool is_decimal_comma(const std::vector<Token>& tokens, std::size_t comma) {
+  if (comma == 0 || comma + 1 >= tokens.size()) return false;
+  const Token& left = tokens[comma - 1];
+  const Token& right = tokens[comma + 1];
+  return is_digits(left) && is_digits(right) && left.span.end == tokens[comma].span.begin &&
+         tokens[comma].span.end == right.span.begin;
+}
+
 [[noreturn]] void refuse_comma(const FormulaText& formula, const std::vector<Token>& tokens,
                                std::size_t comma) {
   if (is_decimal_comma(tokens, comma)) {
@@ -193,12 +202,14 @@ void explain_slips(const FormulaText& formula, const std::vector<Token>& tokens,
   }
 }
 
-bool is_decimal_comma(const std::vector<Token>& tokens, std::size_t comma) {
-  if (comma == 0 || comma + 1 >= tokens.size()) return false;
-  const Token& left = tokens[comma - 1];
-  const Token& right = tokens[comma + 1];
-  return is_digits(left) && is_digits(right) && left.span.end == tokens[comma].span.begin &&
-         tokens[comma].span.end == right.span.begin;
+std::string hint_beside_comma(const std::vector<Token>& tokens, std::size_t first, std::size_t last,
+                              const std::string& hint) {
+  for (std::size_t i = first; i <= last && i < tokens.size(); ++i) {
+    if (tokens[i].kind != TokenKind::Comma || !is_decimal_comma(tokens, i)) continue;
+    const std::string point = tokens[i - 1].text + "." + tokens[i + 1].text;
+    return "a decimal comma? write " + point + (hint.empty() ? "" : "; or " + hint);
+  }
+  return hint;
 }
 
 }  // namespace saddle

@@ -49,7 +49,9 @@ inline constexpr const char* kMissingOperandHint = "add a number, a name or a br
 void explain_slips(const FormulaText& formula, const std::vector<Token>& tokens,
                    const Brackets& brackets);
 
-/// True if the tokens at `comma` are digits, a comma and digits without a space: 0,5.
-bool is_decimal_comma(const std::vector<Token>& tokens, std::size_t comma);
+/// `hint`, after "a decimal comma? write 0.5" if there are digits, a comma and digits without a
+/// space among the tokens from `first` to `last`.
+std::string hint_beside_comma(const std::vector<Token>& tokens, std::size_t first, std::size_t last,
+                              const std::string& hint);
 
 }  // namespace saddle

@@ -20,6 +20,10 @@ namespace {
 /// At least so many places on a line of constant u or v are told as one.
 constexpr std::size_t kFewestOfLine = 12;
 
+/// A line is told in parts where nothing is found on more than this share of its range. A line of
+/// so many places is on a mesh of at least as many cells.
+constexpr double kGapOfLine = 2.5 / kFewestOfLine;
+
 using Indices = std::vector<std::size_t>;
 
 /// Lengths of the ranges of u and v.
@@ -78,6 +82,32 @@ bool is_line(std::span<const dvec2> places, const PlaceGroup& group, const dvec2
     in_line += nearest_member < nearest_other ? 1 : 0;
   }
   return 2 * in_line > group.members.size();
+}
+
+/// The parts of a line between its gaps: a branch cut may end, and go on further away.
+std::vector<PlaceGroup> parts_of_line(std::span<const dvec2> places, const PlaceGroup& line,
+                                      const dvec2& extent) {
+  const int along = line.low.x == line.high.x ? 1 : 0;
+  Indices sorted = line.members;
+  std::ranges::sort(sorted, {}, [&](std::size_t k) { return places[k][along]; });
+  std::vector<PlaceGroup> parts;
+  PlaceGroup part = line;
+  part.members.clear();
+  for (const std::size_t k : sorted) {
+    if (!part.members.empty()) {
+      const double last = places[part.members.back()][along];
+      if (places[k][along] - last > kGapOfLine * extent[along]) {
+        part.high[along] = last;
+        parts.push_back(part);
+        part = line;
+        part.members.clear();
+        part.low[along] = places[k][along];
+      }
+    }
+    part.members.push_back(k);
+  }
+  parts.push_back(part);
+  return parts;
 }
 
 }  // namespace
@@ -145,7 +175,7 @@ std::vector<PlaceGroup> take_lines(std::span<const dvec2> places, const Domain& 
     std::erase_if(candidates, is_member);
     if (!is_line(places, longer, extent)) continue;
     std::erase_if(left, is_member);
-    lines.push_back(longer);
+    std::ranges::move(parts_of_line(places, longer, extent), std::back_inserter(lines));
   }
   return lines;
 }

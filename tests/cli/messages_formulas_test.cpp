@@ -6,8 +6,8 @@ namespace {
 
 constexpr MessageRow kRows[] = {
     // names of surfaces
-    {"klein -o a.toml", "no surface is called 'klein'", "'klein-figure8' or 'klein-bottle'?",
-     "klein-bottle -o a.toml"},
+    {"klein -o a.toml", "no surface is called 'klein'",
+     "'klein-figure8', 'klein-bottle' or 'lawson-klein'?", "klein-bottle -o a.toml"},
     {"mobius-strip -o a.toml", "no surface is called 'mobius-strip'", "did you mean 'mobius'?",
      "mobius -o a.toml"},
     {"helicod -o a.toml", "no surface is called 'helicod'", "did you mean 'helicoid'",

@@ -26,6 +26,21 @@ TEST_F(Strokes, BecomeASceneThatIsReadAgain) {
   EXPECT_EQ(read_file(path("b.toml")), scene);
 }
 
+TEST_F(Strokes, CurvesMayBeVectors) {
+  ASSERT_EQ(saddle({"curve", "xyz=(cos(s),sin(s),s/5)", "s=0:tau", "--radius", "0.1", "-o",
+                    "a.toml", "-o", "a.ply"})
+                .status,
+            0);
+  EXPECT_TRUE(contains(read_file(path("a.toml")), "xyz = \"(cos(s),sin(s),s/5)\"\n"));
+  ASSERT_EQ(saddle({"a.toml", "-o", "b.ply"}).status, 0);
+  ASSERT_EQ(saddle({"curve", "x=cos(s)", "y=sin(s)", "z=s/5", "s=0:tau", "--radius", "0.1", "-o",
+                    "c.ply"})
+                .status,
+            0);
+  EXPECT_EQ(read_file(path("b.ply")), read_file(path("a.ply")));
+  EXPECT_EQ(mesh_in_ply(read_file(path("c.ply"))), mesh_in_ply(read_file(path("a.ply"))));
+}
+
 TEST_F(Strokes, AreOnTheNearestSurfaceBefore) {
   const Outcome outcome = saddle({"torus", "+", "torus", "R=5", "+", "point", "u=0", "v=0", "+",
                                   "sphere", "-o", "a.toml", "--report", "-"});

@@ -235,8 +235,12 @@ bool assign(CurveSpec& curve, const Definition& definition) {
     throw Error(Status::Input, "a curve has a range of s, and of t",
                 {name, definition.text, {0, definition.text.size()}}, "write s=" + definition.text);
   }
-  const auto own = std::to_array<std::pair<const char*, std::string*>>(
-      {{"x", &curve.x}, {"y", &curve.y}, {"z", &curve.z}, {"u", &curve.u}, {"v", &curve.v}});
+  const auto own = std::to_array<std::pair<const char*, std::string*>>({{"x", &curve.x},
+                                                                        {"y", &curve.y},
+                                                                        {"z", &curve.z},
+                                                                        {"xyz", &curve.xyz},
+                                                                        {"u", &curve.u},
+                                                                        {"v", &curve.v}});
   const auto found = std::ranges::find(own, name, &std::pair<const char*, std::string*>::first);
   if (found == own.end()) return false;
   *found->second = definition.text;

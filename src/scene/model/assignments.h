@@ -42,9 +42,9 @@ void assign(Scene& scene, const std::string& assignment);
 /// Throws Error (Input), as assign() does; for a third range.
 void assign_all(Scene& scene, const std::vector<std::string>& assignments);
 
-/// Puts the assignment into a curve, if it is one of its own: `x=`, `y=`, `z=`, `u=`, `v=`, all
-/// formulas of s, and the range `s=MIN:MAX`. Returns whether it was. Throws Error (Input): another
-/// range but that of t; `s=` without a `:`.
+/// Puts the assignment into a curve, if it is one of its own: `x=`, `y=`, `z=`, `xyz=`, `u=`, `v=`,
+/// all formulas of s, and the range `s=MIN:MAX`. Returns whether it was. Throws Error (Input):
+/// another range but that of t; `s=` without a `:`.
 bool assign(CurveSpec& curve, const Definition& definition);
 
 /// The same for a point: `u=` and `v=`. Throws Error (Input): a range but that of t; `x=`, `y=` or

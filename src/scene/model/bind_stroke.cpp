@@ -52,10 +52,11 @@ constexpr const char* kExampleOfCurve = "x='cos(s)' y='sin(s)' z='s/5' s=0:tau";
 class StrokeParser {
  public:
   /// `parameter`: the name of the variable, "s" or none.
-  StrokeParser(Graph& graph, const Scene& scene, const std::string& parameter)
+  StrokeParser(Graph& graph, const Scene& scene, const std::string& parameter,
+               const std::vector<Definition>& definitions)
       : graph_(graph),
         scene_(scene),
-        scope_(graph, scene.definitions,
+        scope_(graph, definitions,
                {.parameters = {parameter, ""}, .lazy = true, .keeps_time = scene.keeps_time}) {}
 
   Scope& scope() { return scope_; }
@@ -98,6 +99,25 @@ class StrokeParser {
   bool moves_ = false;
 };
 
+/// The formulas of x, y and z, by their names; those of xyz are its components.
+std::array<std::pair<std::string, std::string>, 3> coordinate_formulas(const CurveSpec& spec) {
+  if (spec.xyz.empty()) return {{{"x", spec.x}, {"y", spec.y}, {"z", spec.z}}};
+  for (const auto& [name, text] : {std::pair{"x", spec.x}, {"y", spec.y}, {"z", spec.z}}) {
+    if (text.empty()) continue;
+    throw Error(Status::Input, std::string("xyz gives ") + name + ", too",
+                {"xyz", spec.xyz, {0, spec.xyz.size()}},
+                std::string("leave xyz or ") + name + " out");
+  }
+  return {{{"x", "xyz.x"}, {"y", "xyz.y"}, {"z", "xyz.z"}}};
+}
+
+/// The names that a curve's formulas see.
+std::vector<Definition> curve_definitions(const Scene& scene, const CurveSpec& spec) {
+  std::vector<Definition> names = scene.definitions;
+  if (!spec.xyz.empty()) names.push_back({"xyz", spec.xyz});
+  return names;
+}
+
 /// Either a place in space or both u and v on a surface.
 void check_place(const StrokeSpec& spec, bool is_in_space, const std::string& what,
                  const std::string& example) {
@@ -123,7 +143,7 @@ BoundSurface bind_point(const Scene& scene, const PointSpec& spec) {
   check_place(spec, spec.at.has_value(), "point", "point 1,2,3");
   BoundSurface result;
   Graph& graph = result.graph;
-  StrokeParser parser(graph, scene, "");
+  StrokeParser parser(graph, scene, "", scene.definitions);
   Coordinates at{};
   if (spec.at) {
     at = {parser.number("at", spec.at->x), parser.number("at", spec.at->y),
@@ -148,18 +168,19 @@ BoundSurface bind_point(const Scene& scene, const PointSpec& spec) {
 }
 
 BoundCurve bind_curve(const Scene& scene, const CurveSpec& spec) {
-  check_place(spec, !(spec.x.empty() && spec.y.empty() && spec.z.empty()), "curve",
-              kExampleOfCurve);
+  const auto formulas = coordinate_formulas(spec);
+  check_place(spec, std::ranges::any_of(formulas, [](const auto& f) { return !f.second.empty(); }),
+              "curve", kExampleOfCurve);
   BoundCurve result;
   Graph& graph = result.graph;
-  StrokeParser parser(graph, scene, "s");
+  StrokeParser parser(graph, scene, "s", curve_definitions(scene, spec));
   const RangeText range("s", spec.s);
   const std::array<NodeId, 2> ends = parse_ends(parser.scope(), range);
   const RangeEnds s = constant_ends(parser.scope(), range, scene.t);
   result.from = s.min;
   result.to = s.max;
-  const Coordinates r = {parser.parse("x", spec.x), parser.parse("y", spec.y),
-                         parser.parse("z", spec.z)};
+  Coordinates r{};
+  for (std::size_t k = 0; k < 3; ++k) r[k] = parser.parse(formulas[k].first, formulas[k].second);
   if (spec.radius) parser.number("radius", *spec.radius);
   result.r = parser.place(spec, r);
   const std::vector<NodeId> bound = parser.scope().bind(ends, scene.t);

@@ -185,7 +185,7 @@ const auto& entries() {
        "x=6*cos(u)*(1+sin(u))+(u<pi?r*cos(u)*cos(v):-r*cos(v)) "
        "y=16*sin(u)+(u<pi?r*sin(u)*cos(v):0) z=r*sin(v) u=0:2*pi v=0:2*pi r=4*(1-cos(u)/2)",
        from({1, 0.5, 3}, {0, 1, 0})},
-      {"klein-lawson", "Lawson's minimal Klein bottle of the 3-sphere, seen from a point off it",
+      {"lawson-klein", "Lawson's minimal Klein bottle of the 3-sphere, seen from a point off it",
        "xyz=(re(p),(im(p)-re(q))/sqrt(2),im(q))/(1-(im(p)+re(q))/sqrt(2)) p=cos(v)*e^(2*i*u) "
        "q=sin(v)*e^(i*u) u=0:pi v=0:2*pi",
        from({2, -3, 2.5})},
@@ -249,7 +249,7 @@ const auto& entries() {
        from({2, -3, 4})},
       {"fourier-drum", "a square drum at the time t after it was plucked in the middle",
        "z=h*sum(sum(b(m)*b(n)*sin(m*u)*sin(n*v)*cos(hypot(m,n)*t),m=1:N),n=1:N) h=2 "
-       "b(n)=8*sin(n*pi/2)/(pi*n)^2 N=15 u=0:pi v=0:pi t=0.8",
+       "b(n)=8*sin(n*pi/2)/(pi*n)^2 N=15 u=0:pi v=0:pi t=0.8:7.8",
        from({2, -3, 2})},
 
       // Tubes, shells and other bodies.

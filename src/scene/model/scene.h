@@ -219,7 +219,7 @@ struct StrokeSpec {
 
 struct CurveSpec : StrokeSpec {
   CurveSpec() { name = "curve"; }
-  std::string x, y, z;  ///< of s, without a surface; empty: 0
+  std::string x, y, z, xyz;  ///< of s, without a surface; empty: 0; xyz: in place of the others
   Range s{"0", "1"};
 };
 

@@ -163,6 +163,8 @@ void show_curve(Desk& desk, std::size_t i) {
   if (is_on_surface(curve)) {
     formula("u", &CurveSpec::u);
     formula("v", &CurveSpec::v);
+  } else if (!curve.xyz.empty()) {
+    formula("xyz", &CurveSpec::xyz);
   } else {
     formula("x", &CurveSpec::x);
     formula("y", &CurveSpec::y);

@@ -135,7 +135,7 @@ std::vector<GalleryFacts> minimal_surfaces_of_complex_numbers() {
 
 std::vector<GalleryFacts> surfaces_of_the_three_sphere() {
   return {
-      {.name = "klein-lawson",
+      {.name = "lawson-klein",
        .extents = {5.749, 5.447, 7.304},
        .orientable = false,
        .closed_u = "reversed",

@@ -68,6 +68,21 @@ TEST(CurveMesher, KeepsAHelixWithinTheTolerance) {
   EXPECT_FALSE(mesh.closed);
 }
 
+TEST(CurveMesher, TakesAVectorOfS) {
+  Scene scene;
+  scene.definitions = {{"c", "(cos(a), sin(a), h)", {"a"}, true}, {"h", "s/5"}};
+  CurveSpec spec;
+  spec.xyz = "c(s)+(1, 0, 0)";
+  const CurveMesh mesh = mesh_curve(curve_of(scene, spec), within(1e-4));
+  ASSERT_EQ(mesh.chains.size(), 1U);
+  for (const auto& point : mesh.chains[0]) {
+    const dvec3 expected(std::cos(point.s) + 1, std::sin(point.s), point.s / 5);
+    EXPECT_LE(glm::distance(point.position, expected), 1e-15) << point.s;
+  }
+  spec.y = "s";
+  EXPECT_THROW(bind_curve(scene, spec), Error);
+}
+
 /// R = 2, r = 1, where the surface's own s is another one than the curve's.
 Scene torus_with_s() {
   Scene scene;

@@ -147,7 +147,7 @@ TEST(Scope, StopsFunctionsThatMultiply) {
                            {"s"},
                            true});
   }
-  EXPECT_STREQ(error_of(definitions).what(), "the formulas grow past 250000 operations");
+  EXPECT_STREQ(error_of(definitions).what(), "the formulas grow past 100000 operations");
 }
 
 TEST(Scope, StopsChainsThatAreTooDeep) {

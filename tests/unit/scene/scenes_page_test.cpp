@@ -70,7 +70,7 @@ std::string scene_with(const std::string& heading, const std::string& line) {
   if (heading == "[[curve]]" || heading == "[[point]]") {
     const bool is_on = line.starts_with("on ") || line.starts_with("u ") || line.starts_with("v ");
     const std::string in_space = heading == "[[curve]]" ? "x = \"s\"\n" : "at = [0, 0, 0]\n";
-    const bool is_own = line.starts_with(in_space.substr(0, 2));
+    const bool is_own = line.starts_with(in_space.substr(0, 2)) || line.starts_with("xyz ");
     const std::string u = line.starts_with("u ") ? "" : "u = \"0.5\"\n";
     const std::string v = line.starts_with("v ")   ? ""
                           : heading == "[[curve]]" ? "v = \"s\"\n"
