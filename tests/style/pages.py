@@ -57,6 +57,9 @@ def block_complaints(page):
             done = subprocess.run(["bash", "-n"], input=block, capture_output=True, text=True)
             if done.returncode:
                 yield f"{page}: {done.stderr.strip()}"
+        elif language == "mermaid":
+            for word in re.findall(r"\b(graph|end|class|click|style|default)(?=\[| *-->|$)", block, flags=re.MULTILINE):
+                yield f"{page}: '{word}' is no name of a box in Mermaid"
         elif language == "toml":
             try:
                 tomllib.loads(block)
