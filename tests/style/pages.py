@@ -1,7 +1,7 @@
 #!/usr/bin/python3 -B
 """Links of the Markdown pages lead to files and headings that exist, pictures exist and are
-described, README leads to every page, files that pages name exist, and blocks of code are closed,
-named and well-formed."""
+described, README leads to every page, files that pages name exist, blocks of code are closed, named
+and well-formed, and entries of the changelog are short."""
 import re
 import subprocess
 import tomllib
@@ -11,6 +11,7 @@ import tree
 
 LANGUAGES = {"sh", "text", "toml", "cpp", "html", "mermaid"}
 KINDS = {"sh": {"", "window", "fails", "build"}}  # what may follow the language
+ENTRY = 3  # lines of an entry of the changelog
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|!\[[^\]]*\]\([^)]*\))*)\]\(([^)\s]+)\)")
 
 
@@ -56,11 +57,21 @@ def block_complaints(page):
             done = subprocess.run(["bash", "-n"], input=block, capture_output=True, text=True)
             if done.returncode:
                 yield f"{page}: {done.stderr.strip()}"
+        elif language == "mermaid":
+            for word in re.findall(r"\b(graph|end|class|click|style|default)(?=\[| *-->|$)", block, flags=re.MULTILINE):
+                yield f"{page}: '{word}' is no name of a box in Mermaid"
         elif language == "toml":
             try:
                 tomllib.loads(block)
             except tomllib.TOMLDecodeError as error:
                 yield f"{page}: {error} in a block of TOML"
+
+
+def changelog_complaints():
+    """Entries of the changelog that tell more than one thing."""
+    for entry in re.findall(r"^- .*\n(?:  .*\n)*", markdown.read("CHANGELOG.md"), flags=re.MULTILINE):
+        if entry.count("\n") > ENTRY:
+            yield f"CHANGELOG.md: more than {ENTRY} lines: {entry.splitlines()[0]}"
 
 
 def unreached(linked, pages):
@@ -80,4 +91,4 @@ found = markdown.pages()
 links = {}
 complaints = [line for page in found for check in (link_complaints(page, links), path_complaints(page), block_complaints(page))
               for line in check]
-tree.finish([*complaints, *unreached(links, found)], len(found), "Markdown pages")
+tree.finish([*complaints, *changelog_complaints(), *unreached(links, found)], len(found), "Markdown pages")

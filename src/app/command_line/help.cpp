@@ -36,11 +36,16 @@ constexpr const char* kUsage =
   saddle show GALLERY-NAME [NAME=EXPRESSION...]        print one as a scene file
   saddle show --shader ...the same arguments...        the GLSL that draws it
 
-Assignments: x=, y= (default u and v) and z=, or xyz='(a,b,c)', are the surface; u=MIN:MAX and
-v=MIN:MAX its ranges (default -1:1; the ends of v may depend on u), which may have other names:
-x=-3:3, theta=0:pi; where=CONDITION the part that is graphed; t=VALUE the moment, t=MIN:MAX the
-range of time of an animation; NAME= a parameter; NAME(ARGUMENTS)= a helper function. Between the
-+ of several objects --front, --back, --color, --grid, --opacity and the like hold for one object.
+Assignments
+  x= y= z= or xyz='(a,b,c)'  the surface; x is u and y is v by default
+  u=MIN:MAX v=MIN:MAX        its ranges (default -1:1); the ends of v may depend on u. Other names
+                             work, too: x=-3:3 y=-3:3, theta=0:pi phi=0:tau
+  where=CONDITION            the part of the surface that is graphed
+  t=VALUE or t=MIN:MAX       the moment, or the range of time of an animation
+  NAME=EXPRESSION            a parameter, or a part that formulas share
+  NAME(ARGUMENTS)=...        a helper function
+Between the + of several objects, --front, --back, --color, --grid, --opacity and the like hold for
+one object.
 
 Examples:
   saddle z='sin(u)*cos(v)' u=-3:3 v=-3:3 -o waves.png
@@ -53,8 +58,8 @@ Examples:
 
 constexpr const char* kScene =
     R"text(A scene file is TOML. `saddle show torus` prints one; -o FILE.toml writes one. A number may be an
-expression of the parameters and t in quotes. Here are all keys with their defaults, in capitals
-without a fixed one. `saddle --help KEY` explains a key, docs/SCENES.md has examples of all.
+expression of the parameters and t in quotes. Here are all keys with their defaults; capitals stand
+for values without a fixed default. `saddle --help KEY` explains a key, docs/SCENES.md has more.
 
   [params]     NAME = 1, or NAME = { value = 1, min = 0, max = 2, step = 0.5 } with a slider,
                or NAME = { value = 0, choices = ["sun", "lamp"] }: NAME=lamp and NAME=1 choose
