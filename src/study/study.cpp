@@ -1,5 +1,6 @@
 #include "study/study.h"
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 
@@ -48,7 +49,38 @@ void mark_choices(const Subject& subject, std::vector<Measurement>& measurements
   if (hoisted != nullptr) hoisted->is_choice = true;
 }
 
+/// Adds a surface's measurement to those of others.
+void add_to(Measurement& sum, const Measurement& other) {
+  sum.time.median += other.time.median;
+  sum.time.low += other.time.low;
+  sum.time.high += other.time.high;
+  sum.error = std::max(sum.error, other.error);
+  if (sum.promise && other.promise) sum.promise = std::max(*sum.promise, *other.promise);
+  sum.triangles += other.triangles;
+  sum.no_answer = sum.no_answer || other.no_answer;
+  sum.is_choice = sum.is_choice && other.is_choice;
+  sum.pareto = false;
+}
+
 }  // namespace
+
+std::vector<Measurement> together(const std::vector<std::vector<Measurement>>& surfaces) {
+  std::vector<Measurement> all;
+  for (const Measurement& first : surfaces.at(0)) {
+    Measurement sum = first;
+    const auto is_in = [&](const std::vector<Measurement>& other) {
+      const auto found = std::ranges::find_if(other, [&](const Measurement& m) {
+        return m.panel == first.panel && m.method == first.method && m.setting == first.setting;
+      });
+      if (found == other.end()) return false;
+      add_to(sum, *found);
+      return true;
+    };
+    if (std::all_of(surfaces.begin() + 1, surfaces.end(), is_in)) all.push_back(sum);
+  }
+  mark_pareto(all);
+  return all;
+}
 
 std::vector<Measurement> study(const Subject& subject, const StudyProgress& progress) {
   std::vector<Measurement> all;

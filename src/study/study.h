@@ -10,4 +10,8 @@ namespace saddle {
 
 std::vector<Measurement> study(const Subject& subject, const StudyProgress& progress);
 
+/// The measurements of several surfaces as one scene's: of each method and setting that all of them
+/// have, the sums of times and triangles, and the largest error.
+std::vector<Measurement> together(const std::vector<std::vector<Measurement>>& surfaces);
+
 }  // namespace saddle

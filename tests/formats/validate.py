@@ -13,6 +13,11 @@ import subprocess
 import sys
 import tempfile
 
+try:
+    from PIL import Image
+except ImportError:
+    Image = None  # f3d's pictures are not looked at
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs/FORMATS.md"
 VALIDATOR = ROOT / "build/gltf-validator"
@@ -80,6 +85,28 @@ class Assimp:
         if faces < ply.faces * 0.999:  # it leaves out triangles without area
             return [f"{faces} faces of {ply.faces}"]
         return []
+
+
+class F3d:
+    """Shows the surface: a part of the picture is another colour than its corner, as in saddle's."""
+    name = "f3d"
+    LEAST = 0.01  # of the picture: a thin surface from its side
+
+    def __init__(self, format):
+        self.format = format
+
+    def is_there(self):
+        return Image and shutil.which("f3d") and shutil.which("xvfb-run")
+
+    def check(self, file, ply):
+        picture = file.with_suffix(".f3d.png")
+        # Its usual view is along a side of the scene; many surfaces are flat from there.
+        output_of("xvfb-run", "-a", "f3d", str(file), "--output", str(picture), "--resolution",
+                  "300,300", "--camera-azimuth-angle", "30", "--camera-elevation-angle", "30")
+        with Image.open(picture) as image:
+            pixels = list(image.convert("RGB").getdata())
+        shown = sum(pixel != pixels[0] for pixel in pixels) / len(pixels)
+        return [] if shown >= self.LEAST else [f"{shown:.1%} of the picture"]
 
 
 class Prusa:
@@ -154,7 +181,7 @@ class Lib3mf:
 
 
 READERS = [Admesh(), Prusa("obj"), Prusa("3mf"), Assimp("obj"), Assimp("stl"), Assimp("glb"),
-           GltfValidator(), Lib3mf()]
+           F3d("stl"), F3d("obj"), F3d("glb"), GltfValidator(), Lib3mf()]
 
 
 class Written:

@@ -31,7 +31,7 @@ constexpr const char* kUsage =
   saddle ... + point X,Y,Z [--radius R] [--label TEXT] u=... v=... on the surface before them
   saddle check ...same arguments...                    what is true of the surface, no picture
   saddle chart ...same arguments... -o FILE            speed against accuracy of the methods, for
-                                                       this surface: .svg .png .csv
+                                                       these surfaces: .svg .png .csv
   saddle list [-v]                                     names of the built-in surfaces, described
   saddle show GALLERY-NAME [NAME=EXPRESSION...]        print one as a scene file
   saddle show --shader ...the same arguments...        the GLSL that draws it

@@ -1,4 +1,4 @@
-// saddle chart FORMULAS or NAME: speed against accuracy for one surface, as a chart or a table.
+// saddle chart: speed against accuracy for a scene's surfaces, as a chart or a table.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -73,12 +73,13 @@ std::vector<ChartOutput> checked_chart_outputs(const CommandLine& line) {
   return outputs;
 }
 
-void check_one_surface(const Scene& scene) {
-  if (scene.surfaces.size() == 1) return;
-  throw Error(
-      Status::Input,
-      "a chart is of one surface, and the scene has " + std::to_string(scene.surfaces.size()), {},
-      "for example saddle chart torus -o chart.svg");
+/// Curves and points have no meshes to compare.
+std::vector<SurfaceSpec> surfaces_of(const Scene& scene) {
+  std::vector<SurfaceSpec> surfaces = scene.surfaces;
+  std::erase_if(surfaces, [](const SurfaceSpec& spec) { return spec.is_stroke(); });
+  if (!surfaces.empty()) return surfaces;
+  throw Error(Status::Input, "a chart is of surfaces, and the scene has none", {},
+              "for example saddle chart torus -o chart.svg");
 }
 
 /// Adds the picture's length of a pixel, camera and clip box to the subject of a study: those of
@@ -103,6 +104,26 @@ void add_picture(const CommandLine& line, Subject& subject) {
   one_pixel.surfaces[0].in.clear();  // as it is, wherever the scene moves it
   subject.camera =
       fit_to_meshes(one_pixel, std::span(&mesh.mesh, 1), dvec2(subject.width, subject.height));
+}
+
+/// Each surface is measured by itself, in a picture of its own.
+std::vector<Measurement> measurements_of(const Scene& scene, const CommandLine& line) {
+  const Progress progress(!line.run.quiet);
+  Activity measuring("measuring");
+  const std::vector<SurfaceSpec> surfaces = surfaces_of(scene);
+  std::vector<std::vector<Measurement>> all;
+  for (const SurfaceSpec& spec : surfaces) {
+    Subject subject(scene, spec);
+    add_picture(line, subject);
+    const auto done = static_cast<double>(all.size());
+    const auto count = static_cast<double>(surfaces.size());
+    const std::string name = surfaces.size() > 1 ? spec.name + ": " : "";
+    all.push_back(study(subject, [&](double share, const std::string& what) {
+      measuring.set_share((done + share) / count);
+      measuring.set_detail(name + what);
+    }));
+  }
+  return together(all);
 }
 
 void write(const ChartOutput& output, std::span<const Measurement> measurements,
@@ -144,21 +165,10 @@ void run_chart(const CommandLine& line) {
       outputs, [](const ChartOutput& output) { return output.kind != ChartFile::Csv; });
   if (draws) check_gnuplot();
   Scene scene = build_scene(line);
-  check_one_surface(scene);
   scene.axes = false;  // the exact image is of the surface alone, as it is
   scene.scale = {.automatic = false};
-  scene.surfaces[0].color.clear();
-  Subject subject(scene, scene.surfaces[0]);
-  add_picture(line, subject);
-  std::vector<Measurement> measurements;
-  {
-    const Progress progress(!line.run.quiet);
-    Activity measuring("measuring");
-    measurements = study(subject, [&measuring](double share, const std::string& what) {
-      measuring.set_share(share);
-      measuring.set_detail(what);
-    });
-  }
+  for (SurfaceSpec& spec : scene.surfaces) spec.color.clear();
+  const std::vector<Measurement> measurements = measurements_of(scene, line);
   for (const ChartOutput& output : outputs) write(output, measurements, title_of(scene, line));
 }
 

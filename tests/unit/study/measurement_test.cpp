@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "study/chart.h"
+#include "study/study.h"
 
 namespace saddle {
 namespace {
@@ -29,6 +30,26 @@ std::vector<bool> fronts(std::vector<Measurement> measurements) {
   std::vector<bool> result;
   for (const Measurement& m : measurements) result.push_back(m.pareto);
   return result;
+}
+
+TEST(Together, SumsTimesAndTakesTheLargestErrorOfWhatAllSurfacesHave) {
+  Measurement slow = point(3, 0.5);
+  slow.setting = "0.5 px";
+  slow.triangles = 100;
+  slow.is_choice = true;
+  Measurement quick = slow;
+  quick.time = {1, 1, 1};
+  quick.error = 0.25;
+  quick.triangles = 20;
+  quick.no_answer = true;
+  const Measurement alone = point(1, 1, StudyPanel::Image);
+  const std::vector<Measurement> both = together({{slow, alone}, {quick}});
+  ASSERT_EQ(both.size(), 1U);
+  EXPECT_EQ(both[0].time.median, 4);
+  EXPECT_EQ(both[0].error, 0.5);
+  EXPECT_EQ(both[0].triangles, 120U);
+  EXPECT_TRUE(both[0].is_choice && both[0].no_answer && both[0].pareto);
+  EXPECT_EQ(together({{alone}}).size(), 1U);
 }
 
 TEST(PanelProgress, GoesForwardWithEachSettingAndEndsBeforeTheNextPanel) {
