@@ -20,9 +20,11 @@ namespace {
 /// takes 3 to 7 microseconds and 1 kB.
 constexpr std::size_t kMostTriangles = 4'000'000;
 constexpr std::size_t kEnoughTriangles = 1'000'000;
-/// Each of many surfaces has so many at least. Together they have kMostTriangles, the same share
-/// each, which bounds the work, too: 16 microseconds for a triangle with its drawing.
-constexpr std::size_t kLeastShareOfAll = 300;
+/// The triangles of several surfaces together. Each has the same share, but at least that of a
+/// small one. The share bounds the work, too: 20 microseconds for a triangle with its checks and
+/// drawing.
+constexpr std::size_t kMostOfSeveral = 2'500'000;
+constexpr std::size_t kLeastOfSeveral = 300;
 /// The effort of all surfaces together that does not depend on triangles: ten seconds.
 constexpr std::size_t kLeastEffortOfAll = 20'000'000;
 /// A mesh takes 1 kB for each triangle when it is finished, and twice as much is left for the steps
@@ -241,8 +243,9 @@ namespace {
 /// The triangles at most, whatever memory there is.
 std::size_t triangles_asked(const Scene& scene, const SurfaceSpec& spec) {
   if (scene.mesh.max_triangles) return static_cast<std::size_t>(*scene.mesh.max_triangles);
+  const std::size_t count = scene.surfaces.size();
   const std::size_t share =
-      std::max(kMostTriangles / std::max<std::size_t>(scene.surfaces.size(), 1), kLeastShareOfAll);
+      count > 1 ? std::max(kMostOfSeveral / count, kLeastOfSeveral) : kMostTriangles;
   if (scene.mesh.tolerance || samples_of(scene, spec)) return share;
   const auto pixels = static_cast<std::size_t>(scene.picture.width) *
                       static_cast<std::size_t>(scene.picture.height);

@@ -23,7 +23,7 @@ import zipfile
 import hostile
 
 WORKERS = 2
-HANG = 150  # seconds of waiting for a run that takes one, on a busy machine
+HANG = 300  # seconds of waiting for a run that takes 60 at the most, on a busy machine
 SMALL = ["torus", "-s", "64x64"]
 LEFTOVER = re.compile(r"\.saddle-[a-z0-9]{8}$")
 # What reaches a terminal has no others.

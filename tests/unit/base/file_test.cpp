@@ -345,5 +345,29 @@ TEST_F(ReadFile, GivesTheSystemsReason) {
   EXPECT_TRUE(contains(failure([&] { read_file(folder); }), "Is a directory"));
 }
 
+TEST_F(WriteFileWhole, AStagedFileHasItsNameWhenItIsPublished) {
+  write_file_whole(folder / "a", writer("old"));
+  StagedFile file(folder / "a", writer("new"));
+  EXPECT_EQ(content_of(folder / "a"), "old");
+  file.publish();
+  EXPECT_EQ(content_of(folder / "a"), "new");
+}
+
+TEST_F(WriteFileWhole, NothingIsLeftOfAFileThatIsNotPublished) {
+  {
+    const StagedFile file(folder / "a", writer("new"));
+    EXPECT_FALSE(fs::is_empty(folder));
+    EXPECT_FALSE(fs::exists(folder / "a"));
+  }
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST_F(WriteFileWhole, NoneOfSeveralFilesIsThereIfOneFails) {
+  const auto fail = [](std::ostream&) { throw std::runtime_error("no data"); };
+  const std::vector<FileToWrite> files = {{folder / "a", writer("new")}, {folder / "b", fail}};
+  EXPECT_THROW(write_files_whole(files), std::runtime_error);
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
 }  // namespace
 }  // namespace saddle

@@ -232,6 +232,18 @@ std::string foreign_png(const Kind& kind, std::vector<std::vector<png_byte>> row
 
 using Bytes = std::vector<std::uint8_t>;
 
+TEST(SizeOfPng, IsKnownBeforeThePixels) {
+  std::ostringstream out;
+  write_png(out, Image(300, 7));
+  const std::string bytes = out.str();
+  const auto size = size_of_png(std::string_view(bytes).substr(0, 24));
+  ASSERT_TRUE(size);
+  EXPECT_EQ(size->width, 300U);
+  EXPECT_EQ(size->height, 7U);
+  EXPECT_FALSE(size_of_png(std::string_view(bytes).substr(0, 23)));
+  EXPECT_FALSE(size_of_png("no picture, but long enough for one"));
+}
+
 TEST(ReadPng, ReadsGreyOfOneBit) {
   const std::string png = foreign_png({PNG_COLOR_TYPE_GRAY, 1}, {{0x40}}, 2);
   EXPECT_EQ(read_bytes(png).image.rgba, (Bytes{0, 0, 0, 255, 255, 255, 255, 255}));
