@@ -1,15 +1,19 @@
-// The accuracy of the gallery against 50 digits, as a table: ./dev accuracy [POINTS-PER-SURFACE]
+// The accuracy of the gallery against 50 digits, and of complex functions against 100, as tables:
+// ./dev accuracy [POINTS-PER-SURFACE | complex]
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <vector>
 
 #include "base/parallel.h"
+#include "conformance/complex_accuracy.h"
 #include "conformance/gallery_accuracy.h"
 
 namespace {
 
 constexpr int kDefaultPoints = 2000;  // 10^5 over the gallery
 constexpr std::uint64_t kSeed = 2;
+constexpr int kComplexPoints = 4000;  // half a minute
 
 void print(const std::vector<saddle::testing::GalleryAccuracy>& rows) {
   std::printf(
@@ -27,12 +31,28 @@ void print(const std::vector<saddle::testing::GalleryAccuracy>& rows) {
   }
 }
 
+/// In Markdown, as docs/ACCURACY.md has it.
+void print_complex_functions() {
+  std::printf(
+      "| function of w | plane, ulps | on the axes, ulps | 1e-8 beside them, ulps |\n"
+      "| --- | --- | --- | --- |\n");
+  for (const auto& function : saddle::testing::complex_functions()) {
+    const auto accuracy = saddle::testing::measure_accuracy(function, kComplexPoints);
+    std::printf("| `%s` | %.1f | %.1f | %.1f |\n", function.formula.c_str(), accuracy.plane.ulps,
+                accuracy.axes.ulps, accuracy.beside.ulps);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc == 2 && std::strcmp(argv[1], "complex") == 0) {
+    print_complex_functions();
+    return 0;
+  }
   const int points = argc > 1 ? std::atoi(argv[1]) : kDefaultPoints;
   if (points <= 0 || argc > 2) {
-    std::fprintf(stderr, "usage: saddle_accuracy [POINTS-PER-SURFACE]\n");
+    std::fprintf(stderr, "usage: saddle_accuracy [POINTS-PER-SURFACE | complex]\n");
     return 2;
   }
   const auto entries = saddle::gallery();

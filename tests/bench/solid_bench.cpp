@@ -6,6 +6,7 @@
 #include <streambuf>
 
 #include "bench_surfaces.h"
+#include "export/meshes/placed_meshes.h"
 #include "export/meshes/ply.h"
 #include "mesh/mesher/grid_mesh.h"
 #include "mesh/solid/solid_facts.h"
@@ -34,9 +35,13 @@ Mesh million(const BenchSurface& formula) {
 
 void ply_of_million(benchmark::State& state, const BenchSurface& formula) {
   const Mesh mesh = million(formula);
+  const SurfaceSpec spec;
+  ExportedMesh exported;
+  exported.mesh = &mesh;
+  exported.spec = &spec;
   Nowhere nowhere;
   std::ostream out(&nowhere);
-  for (auto _ : state) write_ply(out, {&mesh, 1});
+  for (auto _ : state) write_ply(out, {&exported, 1});
 }
 
 void solid_of_million(benchmark::State& state, const BenchSurface& formula) {
