@@ -32,11 +32,21 @@ constexpr double kBlockWidths = 16;
 /// Across its narrow direction a leaf counts for at most 1/4 of a block. Where root lines are
 /// dense, blocks are as narrow as leaves, and a row of leaves along a pole would fill them.
 constexpr double kMostOfOne = 0.25;
+/// An error at its centre does not tell a leaf's direction. One longer than 4 blocks is halved
+/// across before it is called unresolvable by that error: the error may be that of its length.
+constexpr double kLong = 4 * kBlockWidths;
+/// Leaves of at most 1/4 of a narrow one, a tolerance, are part of an oscillation also beside a
+/// block that one fills: waves beside a slanting line touch only the corners of some blocks.
+constexpr double kTiny = 0.25;
 
 /// The side of a block in units: a root cell, halved or doubled. `cells`: of the range.
 std::uint32_t block_size(std::size_t cells, double narrow) {
   const double size = kBlockWidths * narrow * static_cast<double>(cells);  // in root cells
   return std::bit_floor(static_cast<std::uint32_t>(std::clamp(size * kCellUnit, 1.0, 0x1p31)));
+}
+
+std::uint64_t block_number(std::uint32_t u, std::uint32_t v) {
+  return std::uint64_t{v} << 32U | u;
 }
 
 }  // namespace
@@ -68,7 +78,7 @@ void Oscillation::add(const Leaf& leaf, const ErrorRatios& distance, const CellT
   };
   const auto [narrower, wider] = std::minmax(size.x, size.y);
   if (is_unresolvable(distance.along_u, size.x) || is_unresolvable(distance.along_v, size.y) ||
-      is_unresolvable(distance.centre, wider <= 1 ? wider : narrower)) {
+      is_unresolvable(distance.centre, wider <= 1 || wider > kLong ? wider : narrower)) {
     add(leaf, tree);
   }
 }
@@ -79,20 +89,30 @@ void Oscillation::add(const Leaf& leaf, const CellTree& tree) {
   const dvec2 size = size_of(leaf, tree);
   double& across = size.x < size.y ? along_u : along_v;
   across = std::min(across, kMostOfOne);
-  Block& block = blocks_[block_of(leaf)];
+  Block& block = blocks_[block_number(leaf.low.u / size_u_, leaf.low.v / size_v_)];
   block.length += std::max(along_u, along_v);
   block.area += along_u * along_v;
 }
 
 bool Oscillation::contains(const Leaf& leaf, const CellTree& tree) const {
   if (glm::any(predicted(leaf, tree))) return !splits_predicted_u(leaf, tree);
-  const auto block = blocks_.find(block_of(leaf));
-  if (block == blocks_.end()) return false;
-  const auto& [area, length] = block->second;
   const dvec2 size = size_of(leaf, tree);
   // One narrow direction is enough: a leaf whose samples happen to be alike would be halved in the
   // other one as well.
-  return (area > kOscillatingShare || length > kBlockWidths) && std::min(size.x, size.y) <= 1;
+  if (blocks_.empty() || std::min(size.x, size.y) > 1) return false;
+  const std::uint32_t u = leaf.low.u / size_u_;
+  const std::uint32_t v = leaf.low.v / size_v_;
+  if (fills(u, v)) return true;
+  if (std::max(size.x, size.y) > kTiny) return false;
+  // Numbers below 0 wrap around to blocks that there are not.
+  return fills(u - 1, v) || fills(u + 1, v) || fills(u, v - 1) || fills(u, v + 1);
+}
+
+bool Oscillation::fills(std::uint32_t u, std::uint32_t v) const {
+  const auto block = blocks_.find(block_number(u, v));
+  if (block == blocks_.end()) return false;
+  const auto& [area, length] = block->second;
+  return area > kOscillatingShare || length > kBlockWidths;
 }
 
 std::optional<bool> Oscillation::splits_predicted_u(const Leaf& leaf, const CellTree& tree) const {
@@ -108,10 +128,6 @@ std::optional<bool> Oscillation::splits_predicted_u(const Leaf& leaf, const Cell
 dvec2 Oscillation::size_of(const Leaf& leaf, const CellTree& tree) const {
   const dvec2 size = tree.vertices().parameters(leaf.high) - tree.vertices().parameters(leaf.low);
   return glm::abs(size) / grid_.range / narrow_;
-}
-
-std::uint64_t Oscillation::block_of(const Leaf& leaf) const {
-  return std::uint64_t{leaf.low.v / size_v_} << 32U | leaf.low.u / size_u_;
 }
 
 }  // namespace saddle

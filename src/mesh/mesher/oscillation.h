@@ -45,7 +45,8 @@ class Oscillation {
   };
   glm::bvec2 predicted(const Leaf& leaf, const CellTree& tree) const;
   dvec2 size_of(const Leaf& leaf, const CellTree& tree) const;  ///< in widths of narrow leaves
-  std::uint64_t block_of(const Leaf& leaf) const;
+  /// Whether an oscillation fills the block with these numbers.
+  bool fills(std::uint32_t u, std::uint32_t v) const;
 
   const Grid& grid_;
   double narrow_;                  ///< in ranges

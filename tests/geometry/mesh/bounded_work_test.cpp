@@ -37,6 +37,16 @@ TEST(BoundedWork, EndsWhereWavesAreNarrowerThanPixelsWhateverTheirShape) {
   }
 }
 
+TEST(BoundedWork, EndsWhereWavesCrowdAlongASlantingLine) {
+  for (const char* z : {"sin(0.1/(u+v))", "sin(0.03/(u-2*v))", "sin(1/(u*v))"}) {
+    const MeshResult result = try_mesh(height_field(z), thousandth()).value();
+    EXPECT_FALSE(result.report.reached_limit) << z;
+    EXPECT_TRUE(result.report.oscillates) << z;
+    // 25 million where leaves beside the blocks that waves fill are halved further.
+    EXPECT_LT(result.report.evaluations, 10'000'000U) << z;
+  }
+}
+
 TEST(BoundedWork, TakesNoMoreCellsForWavesThanTheirToleranceShows) {
   // Nowhere are there many more cells than four tolerances each way, 250 by 250, halved now and
   // then; along u alone a few hundred, fifteen times between drawn lines.
