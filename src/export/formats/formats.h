@@ -58,6 +58,8 @@ struct Format {
   void (*write_mesh)(std::ostream& out, const MeshContent& content) = nullptr;
   void (*write_page)(std::ostream& out, const PageContent& content) = nullptr;
   bool takes_sliders = false;  ///< --sliders and --fragment are about it
+  /// Pixels that the mesh may be off by, for a picture so high.
+  double (*pixels_off)(double height) = [](double) { return 0.5; };
   void (*write_scene)(std::ostream& out, const Scene& scene) = nullptr;
   const VideoFormat* video = nullptr;
   /// Returns the text of the scene file inside a file of this format, if there is one. Not set: the

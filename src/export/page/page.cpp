@@ -30,9 +30,9 @@
 namespace saddle {
 namespace {
 
-/// Corners are baked that formulas have elsewhere by this share of a pixel: a quarter of the
-/// meshes' tolerance in pictures.
-constexpr double kPixelShare = 0.125;
+/// Corners are baked that formulas have elsewhere by this share of the mesh's tolerance.
+constexpr double kBakedShare = 0.25;
+constexpr double kScreenHeight = 1080;
 
 constexpr std::string_view kSceneBegins = "<template class=\"saddle-scene\">";
 constexpr std::string_view kSceneEnds = "</template>";
@@ -201,10 +201,11 @@ PageScene page_scene(const PageContent& content, std::vector<Mesh>& parts,
   }
   page.centre = (bounds.low + bounds.high) / 2.0;
   page.unit = model_frame(bounds).size;
-  const double pixel = 2 * page.camera.half_height / scene.picture.height;
+  const double height = scene.picture.height;
+  const double pixel = 2 * page.camera.half_height / height;
+  const double within = kBakedShare * page_pixels_off(height) * pixel;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    packed.push_back(
-        page_mesh(scene, scene.surfaces[i], page.meshes[i], kPixelShare * pixel / stretch[i]));
+    packed.push_back(page_mesh(scene, scene.surfaces[i], page.meshes[i], within / stretch[i]));
     packed.back().fixed |= page.meshes[i].solid.has_value();
   }
   page.packed = packed;
@@ -278,6 +279,10 @@ void write_page(std::ostream& out, const PageContent& content) {
       << escaped_line(content.scene.title) << "</title>\n<style>" << style
       << "</style>\n</head>\n<body>\n"
       << body << "</body>\n</html>\n";
+}
+
+double page_pixels_off(double height) {
+  return 0.5 * std::min(1.0, height / kScreenHeight);
 }
 
 std::optional<std::string> scene_in_page(const std::string& bytes, const std::string&) {
