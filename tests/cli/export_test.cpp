@@ -43,7 +43,7 @@ TEST_F(Export, OpensWhatItWrote) {
     EXPECT_EQ(read_file(path("b." + format)).size(), read_file(path(name)).size()) << format;
   }
   EXPECT_TRUE(contains(error_of(saddle({"a.stl", "-o", "b.png"}), 2),
-                       ".stl has no room for one\nfiles that have: .png .ply .obj .glb .3mf"));
+                       ".stl has no room for one; these have: .png .ply .obj .glb .3mf"));
 }
 
 TEST_F(Export, SaysThatAForeignFileHoldsNoScene) {

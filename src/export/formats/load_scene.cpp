@@ -17,15 +17,6 @@ bool has_scene_extension(const std::filesystem::path& path) {
 
 namespace {
 
-/// ".png .ply .obj", the formats whose files keep their scenes.
-std::string carriers() {
-  std::string text;
-  for (const Format& format : formats()) {
-    if (format.carries_scene()) text += (text.empty() ? "." : " .") + std::string(format.extension);
-  }
-  return text;
-}
-
 /// The scene in a file's bytes; messages call the file `name`.
 Scene scene_of(const std::string& bytes, const std::string& name, const Format* format,
                const std::optional<Theme>& theme) {
@@ -36,10 +27,9 @@ Scene scene_of(const std::string& bytes, const std::string& name, const Format* 
                 "a file keeps its scene until another program saves it");
   }
   if (format != nullptr && !format->carries_scene()) {
-    throw Error(
-        Status::Input,
-        name + " holds no scene: ." + std::string(format->extension) + " has no room for one", {},
-        "files that have: " + carriers());
+    throw Error(Status::Input, name + " holds no scene", {},
+                "." + std::string(format->extension) +
+                    " has no room for one; these have: " + scene_extension_list());
   }
   if (bytes.size() > kMaxTomlBytes) {
     throw Error(Status::Input, name + " is larger than 4 MiB", {},
