@@ -106,4 +106,7 @@ std::string format_table();
 /// ".png .ply .html .svg .pdf .toml .gif .mp4 .webm", or only those of one kind.
 std::string extension_list(std::optional<Format::Kind> kind = std::nullopt);
 
+/// ".png .ply .obj .glb .3mf .html .svg .pdf .toml": those that load_scene() can open.
+std::string scene_extension_list();
+
 }  // namespace saddle
