@@ -134,7 +134,8 @@ function remember() {
     if (page.axes != scene.axes) parts.push('axes=' + (page.axes ? 'on' : 'off'));
     const hash = parts.join('&');
     if (hash != location.hash.slice(1)) {
-      try { history.replaceState(null, '', '#' + hash); } catch { /* a frame may not */ }
+      // A frame may not.
+      try { history.replaceState(null, '', '#' + hash); } catch {}
     }
   }, 300);
 }
@@ -159,7 +160,7 @@ function recall() {
 // --- start ---
 
 unpack(find('saddle-meshes').textContent).then(() => {
-  painter = (!/[?&]flat\b/.test(location.search) && glPainter(canvas)) || flatPainter(canvas);
+  painter = glPainter(canvas) || flatPainter(canvas);
   recall();
   addEventListener('hashchange', () => { recall(); changed(); });
   new ResizeObserver(changed).observe(view);
@@ -167,6 +168,6 @@ unpack(find('saddle-meshes').textContent).then(() => {
   if (scene.plays && !still.matches && !/(^#|&)t=/.test(location.hash)) page.play();
   changed();
 }).catch(error => {
-  find('saddle-note').textContent = 'This page cannot be drawn here: ' + error.message;
+  find('saddle-note').textContent = 'Cannot be drawn here: ' + error.message;
   throw error;
 });

@@ -42,28 +42,37 @@ constexpr std::array kScripts = {"vectors.js",  "payload.js", "mesh.js", "camera
                                  "lights.js",   "gl.js",      "flat.js", "overlay.js",
                                  "controls.js", "main.js"};
 
+/// JavaScript and CSS need no semicolon before a brace; no file of the page has one in quotes
+/// there.
+std::string short_source(std::string_view source) {
+  std::string text = squeezed(without_comments(source));
+  for (std::size_t at = 0; (at = text.find(";}", at)) != std::string::npos;) text.erase(at, 1);
+  return text;
+}
+
 std::string source_of(const char* name) {
-  return squeezed(without_comments(page_source(name)));
+  return short_source(page_source(name));
 }
 
 /// The functions of functions.js that the code calls, and those that they call.
 std::string functions_for(const std::string& code) {
-  const std::string source = without_comments(page_source("functions.js"));
+  const std::string source(page_source("functions.js"));
   std::string all;
   std::set<std::string> known;
   bool has_grown = true;
   while (has_grown) {
     has_grown = false;
-    for (std::size_t at = 0; (at = source.find("function ", at)) != std::string::npos; ++at) {
-      const std::size_t begin = at + std::string_view("function ").size();
+    constexpr std::string_view kBegins = "\nfunction ";
+    for (std::size_t at = 0; (at = source.find(kBegins, at)) != std::string::npos; ++at) {
+      const std::size_t begin = at + kBegins.size();
       const std::string name = source.substr(begin, source.find('(', begin) - begin);
       const bool is_called = (code + all).find(name + "(") != std::string::npos;
       if (!is_called || !known.insert(name).second) continue;
-      all += source.substr(at, source.find("\n}\n", at) + 3 - at);
+      all += source.substr(at, source.find("\n}\n", at) + 3 - at);  // its own brace is not indented
       has_grown = true;
     }
   }
-  return squeezed(all);
+  return short_source(all);
 }
 
 std::string hash_of(const std::string& text) {
@@ -214,14 +223,14 @@ PageScene page_scene(const PageContent& content, std::vector<Mesh>& parts,
 
 /// Unpacks the script. Inserted as text it is allowed by its hash.
 constexpr const char* kLoader =
-    "(async root=>{const text=root.querySelector('.saddle-code').textContent,"
-    "script=document.createElement('script');"
+    "(async root=>{const find=name=>root.querySelector('.saddle-'+name);"
+    "try{const script=document.createElement('script');"
     "script.textContent=await new Response(new "
-    "Blob([Uint8Array.from(atob(text),c=>c.charCodeAt(0))])"
+    "Blob([Uint8Array.from(atob(find('code').textContent),c=>c.charCodeAt(0))])"
     ".stream().pipeThrough(new DecompressionStream('deflate'))).text();"
-    "root.append(script)})(document.currentScript.parentElement)"
-    ".catch(()=>document.querySelectorAll('.saddle-note').forEach(e=>"
-    "e.textContent='This page needs a browser of 2023 or later.'))";
+    "root.append(script)}"
+    "catch{find('note').textContent='This page needs a browser of 2023 or later.'}"
+    "})(document.currentScript.parentElement)";
 
 std::string body_of(const PageContent& content, const std::string& script,
                     const std::string& meshes, const std::string& style) {
@@ -275,7 +284,7 @@ void write_page(std::ostream& out, const PageContent& content) {
          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; base-uri "
          "'none'; form-action 'none'; script-src "
       << hash_of(kLoader) << " " << hash_of(script) << "; style-src " << hash_of(style)
-      << "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
+      << "\">\n<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n<title>"
       << escaped_line(content.scene.title) << "</title>\n<style>" << style
       << "</style>\n</head>\n<body>\n"
       << body << "</body>\n</html>\n";
