@@ -10,7 +10,6 @@
 #include <charconv>
 #include <cstddef>
 #include <optional>
-#include <ranges>
 #include <streambuf>
 #include <string_view>
 #include <system_error>
@@ -282,7 +281,7 @@ void write_files_whole(std::span<const FileToWrite> files) {
   if (files.size() == 1) return write_file_whole(files[0].path, files[0].write);
   std::vector<StagedFile> staged;
   for (const FileToWrite& file : files) staged.emplace_back(file.path, file.write);
-  for (StagedFile& file : std::views::reverse(staged)) file.publish();
+  for (auto file = staged.rbegin(); file != staged.rend(); ++file) file->publish();
 }
 
 void allow_many_open_files() {

@@ -170,10 +170,23 @@ TEST_F(Faults, ScenesAreRefusedThatWouldTakeForEver) {
   };
   scene(20'001, 0, "");
   EXPECT_TRUE(contains(error_of(run_within(20, {"s.toml", "-o", "a.png"}), 2), "too many"));
-  scene(10'000, 1000, "");
+  scene(2001, 0, "");
+  EXPECT_TRUE(contains(error_of(run_within(20, {"s.toml", "-o", "a.png"}), 2), "at most 2000;"));
+  scene(1500, 1500, "");
   EXPECT_TRUE(contains(error_of(run_within(20, {"s.toml", "-o", "a.png"}), 2), "too many"));
   scene(10, 0, "grid=[1024,1024]\n");
   EXPECT_TRUE(contains(error_of(run_within(20, {"s.toml", "-o", "a.png"}), 2), "too many lines"));
+}
+
+TEST_F(Faults, FormulasOfASceneAreBoundedTogether) {
+  std::string sum = "sin(u)";
+  for (int i = 0; i < 2000; ++i) sum += "+sin(u+" + std::to_string(i) + "*v)";
+  std::ofstream file(path("s.toml"));
+  file << "[functions]\n\"f(u,v)\"=\"" << sum << "\"\n";
+  for (int i = 0; i < 1000; ++i) file << "[[surface]]\nz=\"f(u,v)+" << i << "\"\n";
+  file.close();
+  const std::string said = error_of(run_within(20, {"s.toml", "-o", "a.png"}), 2);
+  EXPECT_TRUE(contains(said, "too long together")) << said;
 }
 
 TEST_F(Faults, SeeThroughLayersAreBounded) {

@@ -67,6 +67,12 @@ def doubling(count):
     return f'[functions]\n"f0(s)"="sin(s)"\n{lines}[[surface]]\nz="f{count - 1}(u)"\n'
 
 
+def long_formulas(count):
+    total = "+".join(f"sin(u+{i}*v)" for i in range(2000))
+    surfaces = "".join(f'[[surface]]\nz="f(u,v)+{i}"\n' for i in range(count))
+    return f'[functions]\n"f(u,v)"="{total}"\n{surfaces}'
+
+
 def nested(count):
     text = "sin(u*v)"
     for i in range(count):
@@ -111,8 +117,12 @@ def corpus(short):
              scene('[[surface]]\nz="u"\ntexture="/etc/passwd"\n'), statuses=(2,), says="outside"),
         Case("a texture above the folder", DRAW,
              scene('[[surface]]\nz="u"\ntexture="a/../../b.png"\n'), statuses=(2,), says="outside"),
-        Case("20,001 surfaces", DRAW, scene(lambda: '[[surface]]\nz="u"\n' * 20001), statuses=(2,),
+        Case("20,001 points", DRAW, scene(lambda: '[[point]]\nat=[0,0,0]\n' * 20001),
+             statuses=(2,), says="too many", seconds=10),
+        Case("2,001 surfaces", DRAW, scene(lambda: '[[surface]]\nz="u"\n' * 2001), statuses=(2,),
              says="too many", seconds=10),
+        Case("1,000 surfaces of a long formula", DRAW, scene(lambda: long_formulas(1000)),
+             statuses=(2,), says="too long together", seconds=10),
         Case("a grid of 4096x4096", ["torus", "--grid", "4096x4096", "-o", "a.png"], statuses=(2,),
              says="1024x1024", seconds=2),
         Case("12,000 transforms in a line", DRAW, scene(lambda: one_line(12000)), seconds=5),

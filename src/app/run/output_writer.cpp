@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 #include <ostream>
-#include <ranges>
 #include <utility>
 
 namespace saddle {
@@ -44,7 +43,7 @@ void OutputWriter::put(const std::vector<FileToWrite>& files) {
   }
   // The first of files that belong together gets its name last.
   const std::lock_guard lock(mutex_);
-  std::ranges::move(std::views::reverse(staged), std::back_inserter(held_));
+  std::move(staged.rbegin(), staged.rend(), std::back_inserter(held_));
 }
 
 bool OutputWriter::take_meshes(const Shot& shot, const Scene& scene, std::span<const Mesh> meshes) {

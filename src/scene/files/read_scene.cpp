@@ -279,8 +279,13 @@ Scene read_tables(TomlReader& reader, const TomlValue& root, const std::optional
   return scene;
 }
 
-/// Most surfaces, curves and points of a scene: so many plain ones take half a minute.
+/// Most surfaces, curves and points of a scene: so many points take half a minute.
 constexpr std::size_t kMostObjects = 20'000;
+/// Most surfaces of a scene: one that its limit of triangles stops takes a hundredth of a second.
+constexpr std::size_t kMostSurfaces = 2'000;
+/// Most operations of all formulas of a scene together: a surface is sampled at some ten thousand
+/// places before there is a mesh, and so many operations take some ten seconds there.
+constexpr std::size_t kMostOperations = 1'000'000;
 /// Most crossings of grid lines, of all surfaces together: 20,000 grids of 16x16 have 5 million.
 constexpr std::size_t kMostCrossings = 6'000'000;
 /// Most objects times definitions: each sees all definitions. So many take some seconds.
@@ -292,6 +297,11 @@ void check_size(const TomlReader& reader, const Scene& scene) {
     throw reader.source().error(
         "", std::to_string(objects) + " surfaces, curves and points are too many", {0, 0},
         "at most " + std::to_string(kMostObjects) + "; nodes draw one surface in many places");
+  }
+  if (scene.surfaces.size() > kMostSurfaces) {
+    throw reader.source().error(
+        "", std::to_string(scene.surfaces.size()) + " surfaces are too many", {0, 0},
+        "at most " + std::to_string(kMostSurfaces) + "; nodes draw one surface in many places");
   }
   std::size_t crossings = 0;
   for (const SurfaceSpec& spec : scene.surfaces) {
@@ -316,14 +326,25 @@ void check_scene(const TomlReader& reader, const Scene& scene) {
   // Numbers may use x, y and z of the last surface.
   const std::string last = scene.surfaces.empty() ? "" : surface_prefix(scene.surfaces.size() - 1);
   const Scene resolved = reader.in_place([&] { return resolve(scene); }, last);
+  std::size_t operations = 0;
+  const auto count = [&](const Graph& graph) {
+    operations += graph.size();
+    if (operations <= kMostOperations) return;
+    throw reader.source().error("", "the formulas of the scene are too long together", {0, 0},
+                                "they have at most 1000000 operations, after definitions are put "
+                                "in");
+  };
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    reader.in_place([&] { bind_surface(resolved, resolved.surfaces[i]); }, surface_prefix(i));
+    reader.in_place([&] { count(bind_surface(resolved, resolved.surfaces[i]).graph); },
+                    surface_prefix(i));
   }
   for (std::size_t i = 0; i < scene.curves.size(); ++i) {
-    reader.in_place([&] { bind_curve(resolved, resolved.curves[i]); }, curve_prefix(i));
+    reader.in_place([&] { count(bind_curve(resolved, resolved.curves[i]).graph); },
+                    curve_prefix(i));
   }
   for (std::size_t i = 0; i < scene.points.size(); ++i) {
-    reader.in_place([&] { bind_point(resolved, resolved.points[i]); }, point_prefix(i));
+    reader.in_place([&] { count(bind_point(resolved, resolved.points[i]).graph); },
+                    point_prefix(i));
   }
 }
 

@@ -285,9 +285,9 @@ ParameterNames parameters_of(const std::vector<Definition>& ranges) {
   };
   std::vector<std::string> left;
   for (const Definition& range : ranges) left.push_back(range.name);
-  for (const auto& [first, second] : {std::pair{"u", "v"}, std::pair{"x", "y"}}) {
+  for (const auto& usual : {std::pair{"u", "v"}, std::pair{"x", "y"}}) {
     std::erase_if(left, [&](const std::string& name) {
-      return (name == first && take(0, name)) || (name == second && take(1, name));
+      return (name == usual.first && take(0, name)) || (name == usual.second && take(1, name));
     });
   }
   for (const std::string& name : left) take(places[0] ? 1 : 0, name);
