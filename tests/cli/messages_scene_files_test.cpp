@@ -223,6 +223,7 @@ constexpr MessageRow kNoScenes[] = {
      "a file keeps its scene until another program saves it", ""},
     {"large.toml -o a.toml", "large.toml is larger than 4 MiB", "saddle show torus prints one",
      "show torus"},
+    {"ball.stl -o a.toml", "ball.stl holds no scene", "scene files are text", ""},
 };
 
 TEST_F(SceneFileMessages, OfFilesWithoutAScene) {
@@ -232,6 +233,7 @@ TEST_F(SceneFileMessages, OfFilesWithoutAScene) {
   std::ofstream(path("cut.png")) << picture.substr(0, picture.size() / 2);
   ASSERT_EQ(run("torus -s 32x24 --reference sphere.png").status, 1);
   std::filesystem::rename(path("sphere.png.diff.png"), path("bare.png"));
+  ASSERT_EQ(run("sphere -o ball.stl").status, 0);
   std::ofstream(path("large.toml")) << std::string(std::size_t{5} << 20, ' ');
   expect_errors(kNoScenes, 2);
 }
