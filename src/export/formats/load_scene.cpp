@@ -26,12 +26,10 @@ Scene scene_of(const std::string& bytes, const std::string& name, const Format* 
     throw Error(Status::Input, name + " holds no scene", {},
                 "a file keeps its scene until another program saves it");
   }
-  // A file of another kind is no TOML with a mistake.
-  if (bytes.find('\0') != std::string::npos) {
-    throw Error(
-        Status::Input, name + " holds no scene", {},
-        "scene files are text; PNG, PLY, OBJ, GLB, 3MF, HTML, SVG and PDF of saddle's carry "
-        "a scene, too");
+  if (format != nullptr && !format->carries_scene()) {
+    throw Error(Status::Input, name + " holds no scene", {},
+                "." + std::string(format->extension) +
+                    " has no room for one; these have: " + scene_extension_list());
   }
   if (bytes.size() > kMaxTomlBytes) {
     throw Error(Status::Input, name + " is larger than 4 MiB", {},
