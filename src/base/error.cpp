@@ -95,10 +95,11 @@ std::string marked_line(const std::string& prefix, const Line& line) {
 }
 
 std::string marked_place(const Place& place) {
-  if (place.text.empty()) return {};
+  const Line line = line_of(place.text, place.span);
+  if (line.text.empty()) return {};
   std::string prefix = place.where.empty() ? place.name : "";
   if (!prefix.empty()) prefix += prefix.starts_with("--") ? " " : " = ";
-  return marked_line(prefix, line_of(place.text, place.span));
+  return marked_line(prefix, line);
 }
 
 }  // namespace

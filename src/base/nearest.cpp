@@ -104,7 +104,9 @@ std::string did_you_mean(std::span<const std::string> names) {
 std::optional<std::string> nearest_name(std::string_view word,
                                         std::span<const std::string> candidates) {
   const std::u32string wanted = folded(word);
-  const std::size_t limit = kOtherEdit * std::max<std::size_t>(wanted.size() / 3, 1);
+  // A single letter is a name of its own: 'a' is not a misspelt 'tau'.
+  const std::size_t limit =
+      wanted.size() < 2 ? 0 : kOtherEdit * std::max<std::size_t>(wanted.size() / 3, 1);
   const std::string* best = nullptr;
   std::size_t least = limit + 1;
   for (const std::string& candidate : candidates) {

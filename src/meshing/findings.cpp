@@ -91,6 +91,13 @@ std::string where_defined(const Mesh& mesh, const Domain& domain) {
     low = glm::min(low, uv);
     high = glm::max(high, uv);
   }
+  // An end that only rounding tells from 0, as of the bisection for the boundary of sqrt(u), is 0.
+  const auto trimmed = [](double end, double width) {
+    return std::abs(end) < kSame * std::abs(width) ? 0 : end;
+  };
+  for (dvec2* const end : {&low, &high}) {
+    *end = {trimmed(end->x, domain.u1 - domain.u0), trimmed(end->y, domain.v1 - domain.v0)};
+  }
   // All of a range, as far as its ends are printed.
   const auto is_whole = [](double from, double to, double first, double last) {
     return number(from) == number(std::min(first, last)) &&
@@ -149,6 +156,13 @@ class MeshFindings {
     count(report_.flat_triangles, "triangles", flat);
   }
 
+  /// The option whose limit stopped refinement.
+  std::string limit_option() const {
+    if (report_.shortage == Shortage::Time) return "--max-time";
+    if (report_.shortage == Shortage::Memory) return "--max-memory";
+    return "--max-triangles";
+  }
+
   /// Why the mesh is off, and what helps; empty if it is within its tolerance.
   std::string error_text() const {
     const bool exceeds_tolerance = report_.tolerance && report_.max_error > *report_.tolerance;
@@ -202,8 +216,8 @@ class MeshFindings {
       Finding& turn =
           warn(Kind::NormalsTurn, "normals turn faster than its triangles show, by up to " +
                                       number(report_.max_normal_error) + " degrees, as at " +
-                                      place(*report_.coarse_normals, domain_) +
-                                      "; --max-triangles allows more");
+                                      place(*report_.coarse_normals, domain_) + "; " +
+                                      limit_option() + " allows more");
       turn.value = report_.max_normal_error;
       turn.unit = "degrees";
       turn.place = at(*report_.coarse_normals);

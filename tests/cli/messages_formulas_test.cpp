@@ -17,6 +17,8 @@ constexpr MessageRow kRows[] = {
     {"show torus sphere", "two scenes, 'torus' and 'sphere'", "torus + sphere",
      "show torus + sphere"},
     {"none.toml -o a.toml", "there is no file none.toml", "saddle list", "list"},
+    {"torus --ortho yes -o a.toml", "no surface is called 'yes'",
+     "known surfaces:", "torus --ortho -o a.toml"},
     {"torus sphere -o a.toml", "two scenes, 'torus' and 'sphere'", "torus + sphere",
      "torus + sphere -o a.toml"},
     {"z=u + v -o a.toml", "no surface is called 'v'", "in quotes if it has spaces: z='u + v'",

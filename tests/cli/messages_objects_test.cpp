@@ -27,6 +27,8 @@ constexpr MessageRow kRows[] = {
     // curves and points
     {"curve u=s v=s -o a.toml", "u: there is no surface for u and v", "a surface stands before",
      "torus + curve u=s v=s -o a.toml"},
+    {"torus + sphere --color red -o a.toml", "--color: this is a colour, not a formula",
+     "--front red --back red", "torus + sphere --front red --back red -o a.toml"},
     {"torus + curve u=s -o a.toml", "u: v is missing", "has u and v",
      "torus + curve u=s v=0 -o a.toml"},
     {"curve x=3 -o a.toml", "the curve does not depend on s",

@@ -51,6 +51,26 @@ TEST_F(Strokes, AreOnTheNearestSurfaceBefore) {
   EXPECT_TRUE(contains(read_file(path("r.json")), "\"position\": [\n        5.8,\n"));
 }
 
+TEST_F(Strokes, TakeTheNamesOfTheParametersOfTheirSurface) {
+  const std::vector<std::string> ball = {"xyz=spherical(1,theta,phi)", "theta=0:pi", "phi=0:tau"};
+  const auto scene_with = [&](const std::vector<std::string>& strokes) {
+    std::vector<std::string> words = ball;
+    words.insert(words.end(), strokes.begin(), strokes.end());
+    words.insert(words.end(), {"-o", "a.toml"});
+    const Outcome outcome = saddle(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return read_file(path("a.toml"));
+  };
+  const std::string usual =
+      scene_with({"+", "curve", "u=pi*s", "v=6*s", "+", "point", "u=1", "v=2"});
+  EXPECT_EQ(scene_with({"+", "curve", "phi=6*s", "theta=pi*s", "+", "point", "theta=1", "φ=2"}),
+            usual);
+  // x and y of a curve are its place in space, whatever the surface calls its parameters.
+  ASSERT_EQ(saddle({"z=x*y", "x=0:1", "y=0:1", "+", "curve", "x=s", "y=s", "-o", "b.toml"}).status,
+            0);
+  EXPECT_TRUE(contains(read_file(path("b.toml")), "[[curve]]\nx = \"s\"\ny = \"s\"\n"));
+}
+
 TEST_F(Strokes, KeepTheirColorsBesideAColoredSurface) {
   ASSERT_EQ(saddle({"z=u*v", "+", "curve", "x=s", "--color", "red", "-o", "a.toml"}).status, 0);
   for (const std::vector<std::string>& more : {std::vector<std::string>(), {"+", "z=2"}}) {

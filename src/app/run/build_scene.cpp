@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -85,6 +86,11 @@ bool is_common(const Segment& segment) {
 
 [[noreturn]] void refuse_second_name(const std::string& first, const std::string& second,
                                      bool has_formulas) {
+  for (const std::string& name : {first, second}) {
+    if (name != "-" && !is_scene_file(name) && find_gallery_entry(name) == nullptr) {
+      throw unknown_gallery_name(name);
+    }
+  }
   throw Error(Status::Input, "two scenes, '" + first + "' and '" + second + "'", {},
               has_formulas ? "a formula with spaces is written in quotes: z='u + v'"
                            : "put a + between them: " + first + " + " + second);
@@ -109,10 +115,23 @@ void take_assignments(SceneObject& object, const std::vector<std::string>& assig
   for (const std::string& assignment : own) override_assignment(object.scene, assignment);
 }
 
-/// The words after `curve` or `point`.
+/// The definition, under the usual name if it is of a surface's parameter: `theta=2*s` on a sphere
+/// of theta and phi is `u=2*s`. A coordinate, s and t keep their meaning in curves and points.
+Definition on_surface(Definition definition, const ParameterNames& parameters) {
+  const std::string& name = definition.name;
+  const bool is_of_stroke = is_coordinate(name) || name == "s" || name == "t";
+  if (definition.is_function || is_of_stroke) return definition;
+  const auto found = std::ranges::find(parameters, name);
+  if (found != parameters.end()) {
+    definition.name = kUsualParameters[static_cast<std::size_t>(found - parameters.begin())];
+  }
+  return definition;
+}
+
+/// The words after `curve` or `point`, which may be on a surface with these `parameters`.
 template <typename Stroke>
-void read_stroke(const Segment& segment, Stroke stroke, std::vector<Stroke>& strokes,
-                 SceneObject& object, bool alone) {
+void read_stroke(const Segment& segment, const ParameterNames& parameters, Stroke stroke,
+                 std::vector<Stroke>& strokes, SceneObject& object, bool alone) {
   constexpr bool kIsPoint = std::is_same_v<Stroke, PointSpec>;
   const std::string& word = segment.arguments[0];
   std::vector<std::string> assignments;
@@ -120,7 +139,7 @@ void read_stroke(const Segment& segment, Stroke stroke, std::vector<Stroke>& str
     const std::string& argument = segment.arguments[i];
     if (is_assignment(argument)) {
       assignments.push_back(argument);
-      const bool is_own = assign(stroke, parse_definition(argument));
+      const bool is_own = assign(stroke, on_surface(parse_definition(argument), parameters));
       if (!is_own && alone) assign(object.scene, argument);
       if (!is_own && !alone) object.shared.push_back(argument);
       continue;
@@ -139,6 +158,14 @@ void read_stroke(const Segment& segment, Stroke stroke, std::vector<Stroke>& str
   strokes.push_back(std::move(stroke));
 }
 
+/// The names of the parameters of the last surface of these objects.
+ParameterNames last_parameters(std::span<const SceneObject> objects) {
+  for (auto object = objects.rbegin(); object != objects.rend(); ++object) {
+    if (!object->scene.surfaces.empty()) return object->scene.surfaces.back().parameters;
+  }
+  return kUsualParameters;
+}
+
 /// An option of the segment that says nothing of a curve or point.
 void check_stroke_options(const Segment& segment) {
   for (const auto& [option, text] : segment.given) {
@@ -149,14 +176,16 @@ void check_stroke_options(const Segment& segment) {
   }
 }
 
-/// The object of a segment that begins with `curve` or `point`.
-SceneObject read_stroke_object(const Segment& segment, const Segment* common, bool alone) {
+/// The object of a segment that begins with `curve` or `point`, after the objects `before` it.
+SceneObject read_stroke_object(const Segment& segment, const Segment* common, bool alone,
+                               std::span<const SceneObject> before) {
   SceneObject object;
   check_stroke_options(segment);
+  const ParameterNames parameters = last_parameters(before);
   if (segment.arguments[0] == "curve") {
-    read_stroke(segment, CurveSpec(), object.scene.curves, object, alone);
+    read_stroke(segment, parameters, CurveSpec(), object.scene.curves, object, alone);
   } else {
-    read_stroke(segment, PointSpec(), object.scene.points, object, alone);
+    read_stroke(segment, parameters, PointSpec(), object.scene.points, object, alone);
   }
   if (common != nullptr) {
     std::ranges::copy_if(common->given, std::back_inserter(object.options),
@@ -171,10 +200,11 @@ bool is_stroke(const Segment& segment) {
          (segment.arguments[0] == "curve" || segment.arguments[0] == "point");
 }
 
-/// `common`: the segment that holds for all objects, or nullptr; `alone`: there is one object.
+/// `common`: the segment that holds for all objects, or nullptr; `alone`: there is one object;
+/// `before`: the objects before it.
 SceneObject read_object(const Segment& segment, const Segment* common, bool alone,
-                        const std::optional<Theme>& theme) {
-  if (is_stroke(segment)) return read_stroke_object(segment, common, alone);
+                        const std::optional<Theme>& theme, std::span<const SceneObject> before) {
+  if (is_stroke(segment)) return read_stroke_object(segment, common, alone, before);
   std::vector<std::string> names;
   std::vector<std::string> assignments;
   for (const std::string& argument : segment.arguments) {
@@ -234,7 +264,7 @@ Scene build_scene(const CommandLine& line) {
   std::vector<SceneObject> objects;
   for (const Segment& segment : segments) {
     if (&segment == common) continue;
-    objects.push_back(read_object(segment, common, alone, theme));
+    objects.push_back(read_object(segment, common, alone, theme, objects));
     check_surface_options(segment, has_strokes(objects.back()));
   }
   if (common != nullptr) check_surface_options(*common, std::ranges::any_of(objects, has_strokes));

@@ -15,6 +15,7 @@
 #include "formula/language.h"
 #include "formula/lexer.h"
 #include "scene/model/assignments.h"
+#include "scene/model/color.h"
 #include "scene/model/object_names.h"
 #include "scene/options/unused_definitions.h"
 
@@ -285,6 +286,27 @@ void check_colors_are_used(const std::vector<GivenOption>& options,
               "--color z colours by height, --color gauss by curvature");
 }
 
+/// A colour is no formula: throws Error (Input) with the options that take one. A definition of
+/// that name is meant, though.
+void check_colors_are_formulas(const std::vector<GivenOption>& options,
+                               std::span<const SurfaceSpec> surfaces, const Scene& scene) {
+  const auto has = [](const std::vector<Definition>& definitions, const std::string& name) {
+    return std::ranges::find(definitions, name, &Definition::name) != definitions.end();
+  };
+  for (const auto& [option, text] : options) {
+    if (option->name != "color" || surfaces.empty() || !looks_like_color(text)) continue;
+    const bool is_defined =
+        has(scene.definitions, text) || std::ranges::any_of(surfaces, [&](const SurfaceSpec& spec) {
+          return has(spec.definitions, text);
+        });
+    if (is_defined) continue;
+    const std::string word = text.starts_with('#') ? "'" + text + "'" : text;
+    throw Error(Status::Input, "this is a colour, not a formula",
+                {dashed(*option), text, {0, text.size()}},
+                "a surface has two sides: --front " + word + " --back " + word);
+  }
+}
+
 /// Lets the object's options change what it has in the scene: its surfaces, curves or points.
 template <typename Part>
 void apply_to(const SceneObject& object, std::span<Part> parts, const Scene& scene) {
@@ -330,6 +352,7 @@ void put_on_surface(const std::vector<std::string>& names, const Own<SurfaceSpec
 void apply_object_options(const std::vector<SceneObject>& objects, Scene& scene) {
   if (objects.size() == 1) {  // its options are the scene's
     for (const auto& [option, text] : objects[0].options) apply_option(*option, text, scene);
+    check_colors_are_formulas(objects[0].options, scene.surfaces, scene);
     check_colors_are_used(objects[0].options, scene.surfaces);
     check_textures_are_used(objects[0].options, scene.surfaces);
     return;
@@ -348,6 +371,7 @@ void apply_object_options(const std::vector<SceneObject>& objects, Scene& scene)
     apply_to(object, own.surfaces.of(scene.surfaces), scene);
     apply_to(object, own.curves.of(scene.curves), scene);
     apply_to(object, own.points.of(scene.points), scene);
+    check_colors_are_formulas(object.options, own.surfaces.of(scene.surfaces), scene);
     check_colors_are_used(object.options, own.surfaces.of(scene.surfaces));
     check_textures_are_used(object.options, own.surfaces.of(scene.surfaces));
     parts.push_back(own);

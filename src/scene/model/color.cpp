@@ -226,6 +226,13 @@ Color parse_color(const std::string& option, const std::string& text) {
   return from_bytes(found->rgb);
 }
 
+bool looks_like_color(const std::string& text) {
+  const auto has_name = [name = lower(text)](const NamedColor& named) {
+    return named.name == name;
+  };
+  return text.starts_with('#') || std::ranges::any_of(kNamedColors, has_name);
+}
+
 std::string format_color(const Color& color) {
   const auto byte = [](double channel) {
     return static_cast<unsigned>(std::lround(255 * std::clamp(channel, 0.0, 1.0)));

@@ -12,6 +12,9 @@ namespace saddle {
 /// Source: W3C, "CSS Color Module Level 4", 2022.
 Color parse_color(const std::string& option, const std::string& text);
 
+/// The text begins with `#` or is a CSS colour name: what a person means as a colour.
+bool looks_like_color(const std::string& text);
+
 /// The shortest text that parse_color reads back as the same 8-bit colour: `#rrggbb[aa]`.
 std::string format_color(const Color& color);
 

@@ -66,6 +66,11 @@ TEST(FormatError, DoesNotIndentHintsOfSeveralLines) {
   EXPECT_EQ(format_error(error), "saddle: wrong\none\ntwo\n");
 }
 
+TEST(FormatError, ShowsNoEmptyLine) {
+  const Error error(Status::Input, "no surface", {"", "\n", {0, 0}, "a.toml:1:1"}, "write one");
+  EXPECT_EQ(format_error(error), "saddle: a.toml:1:1: no surface\nwrite one\n");
+}
+
 TEST(FormatError, MarksAtLeastOneColumn) {
   EXPECT_EQ(formatted("z", "1+2", {1, 1}), "saddle: z: wrong\n  z = 1+2\n       ^\n");
   EXPECT_EQ(formatted("z", "1+", {2, 2}), "saddle: z: wrong\n  z = 1+\n        ^\n");

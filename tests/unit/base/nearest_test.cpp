@@ -46,6 +46,11 @@ TEST(NearestName, AllowsAThirdOfTheWord) {
   EXPECT_EQ(nearest_name("ab", Names{"aX"}), "aX");
 }
 
+TEST(NearestName, LeavesSingleLettersAlone) {
+  EXPECT_EQ(nearest_name("a", Names{"tau", "at", "b"}), kNone);
+  EXPECT_EQ(nearest_name("r", Names{"re", "R"}), "R");
+}
+
 TEST(NearestName, PrefersTheLeastDistanceThenTheFirst) {
   EXPECT_EQ(nearest_name("abcdef", Names{"abcdXX", "abcdeX", "abcdeY"}), "abcdeX");
 }

@@ -47,6 +47,27 @@ TEST(Warnings, SayHowMuchIsUndefinedAndWhere) {
                      "least outside of u = -0.5:1, v = 0.25:2"});
 }
 
+TEST(Warnings, TakeTheRoundingOfAnEndForZero) {
+  MeshResult part = mesh_between({6.2e-34, 0}, {1, 2});
+  part.report.undefined_fraction = 0.5;
+  EXPECT_EQ(mesh_warnings("s", part, kDomain),
+            Warnings{"s: 50 % of the domain is undefined and left out, at least outside of "
+                     "u = 0:1"});
+}
+
+TEST(Warnings, NameTheLimitThatLeftNormalsCoarse) {
+  MeshResult coarse = mesh_between({-1, 0}, {1, 2});
+  coarse.report.max_error = 2;
+  coarse.report.max_normal_error = 5;
+  coarse.report.coarse_normals = {0, 1};
+  coarse.report.shortage = Shortage::Time;
+  EXPECT_EQ(mesh_warnings("s", coarse, kDomain).back(),
+            "s: normals turn faster than its triangles show, by up to 5 degrees, as at u = 0, "
+            "v = 1; --max-time allows more");
+  coarse.report.shortage = Shortage::None;
+  EXPECT_TRUE(mesh_warnings("s", coarse, kDomain).back().ends_with("--max-triangles allows more"));
+}
+
 TEST(Warnings, NameTheFacesOfTheBoxThatCut) {
   MeshResult cut = mesh_between({-1, 0}, {1, 2});
   cut.report.clip = Bounds{{-kInfinity, -2, 3}, {4, 5, kInfinity}};
