@@ -8,6 +8,7 @@
 #include "mesh/features/approach.h"
 #include "mesh/features/cliffs.h"
 #include "mesh/features/discontinuities.h"
+#include "mesh/mesher/close_jumps.h"
 #include "mesh/mesher/pole_features.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
@@ -23,9 +24,6 @@ namespace {
 /// How far from a cliff its sheets have normals of their own, in widths of the cliff: the rounded
 /// foot of tanh is flat there.
 constexpr double kBesideCliff = 4;
-/// Jumps within a quarter of a side are one feature: what is between them is a strip. Wider ones
-/// are parted by halving.
-constexpr double kClose = 0.25;
 
 /// Searches a batch of sides.
 class FeatureTracer {
@@ -140,7 +138,7 @@ class FeatureTracer {
     std::vector<Side> jumping;
     std::vector<LocatedDiscontinuity> jumps;
     std::vector<Side> poles;
-    const std::vector<bool> is_done = add_strips(sides, lines, found, delta);
+    const std::vector<bool> is_done = add_strips(sides, found, delta, options_, tree_);
     for (std::size_t k = 0; k < sides.size(); ++k) {
       if (is_done[k]) continue;
       if (const auto& between = found[k].between)
@@ -163,77 +161,6 @@ class FeatureTracer {
     if (options_.poles || (options_.clip && tree_.budget().has_room_for_faces(options_.triangles)))
       cut_poles(poles, options_, tree_);
     add_pairs(FeatureKind::Jump, jumping, jumps);
-  }
-
-  /// Records the sides whose jumps are close to each other. Returns which they are.
-  std::vector<bool> add_strips(std::span<const Side> sides, std::span<const Line> lines,
-                               std::span<const LocatedDiscontinuity> found, double delta) {
-    std::vector<bool> is_done(sides.size(), false);
-    std::vector<std::size_t> numbers;
-    std::vector<Line> with_more;
-    std::vector<LocatedDiscontinuity> known;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      if (found[k].kind != Discontinuity::Jump || !found[k].between) continue;
-      numbers.push_back(k);
-      with_more.push_back(lines[k]);
-      known.push_back(found[k]);
-    }
-    if (numbers.empty()) return is_done;
-    const auto jumps = find_all_jumps(tree_.surface(), with_more, known, delta, options_.threads,
-                                      tree_.effort().looks());
-    std::vector<Side> close;
-    std::vector<std::vector<Line>> jumps_of;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (jumps[i].size() < 2) continue;
-      const double width = glm::distance(jumps[i].front()[0], jumps[i].back()[1]);
-      if (width > kClose * glm::distance(with_more[i][0], with_more[i][1])) continue;
-      is_done[numbers[i]] = true;
-      close.push_back(sides[numbers[i]]);
-      jumps_of.push_back(jumps[i]);
-    }
-    if (!close.empty()) add_close_jumps(close, jumps_of);
-    return is_done;
-  }
-
-  /// Records several jumps of each side as one feature. A strip between two of them has a vertex
-  /// beside each; the two vertices of a jump have one place.
-  void add_close_jumps(std::span<const Side> sides, std::span<const std::vector<Line>> jumps) {
-    const auto& uv = tree_.mesh().uv;
-    std::vector<Between> places;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      const auto add = [&](const dvec2& at) { places.push_back({sides[k][0], sides[k][1], at}); };
-      for (std::size_t i = 0; i + 1 < jumps[k].size(); ++i) {
-        add(jumps[k][i][1]);
-        add(jumps[k][i + 1][0]);
-      }
-      if (jumps[k].front()[0] != uv[sides[k][0]]) add(jumps[k].front()[0]);
-      if (jumps[k].back()[1] != uv[sides[k][1]]) add(jumps[k].back()[1]);
-    }
-    std::uint32_t next = tree_.geometry().add_between(places, options_.threads);
-    tree_.geometry().take_known_normals();
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      EdgeFeature feature{FeatureKind::Jump, sides[k][0], sides[k][0], sides[k][1]};
-      feature.strips = static_cast<std::uint8_t>(jumps[k].size() - 1);
-      feature.first_on_strips = next;
-      next += 2U * feature.strips;
-      if (jumps[k].front()[0] != uv[sides[k][0]]) feature.beside_first = next++;
-      if (jumps[k].back()[1] != uv[sides[k][1]]) feature.beside_second = next++;
-      for (std::uint32_t i = 0; i <= feature.strips; ++i) {
-        const std::uint32_t vertex = feature.first_on_strips + 2 * i;
-        share_place(sides[k], {i == 0 ? feature.beside_first : vertex - 1,
-                               i == feature.strips ? feature.beside_second : vertex});
-      }
-      tree_.edges().set_feature(sides[k][0], sides[k][1], feature);
-    }
-  }
-
-  /// Gives the two vertices of a jump one place. The ends of a side keep theirs.
-  void share_place(const Side& side, const std::array<std::uint32_t, 2>& beside) {
-    const std::uint32_t kept = place_to_keep(side, beside);
-    for (const std::uint32_t vertex : beside) {
-      if (vertex == kept || vertex == side[0] || vertex == side[1]) continue;
-      tree_.vertices().share_place(kept, vertex);
-    }
   }
 
   /// Whether a side is of the domain's edge.
@@ -396,7 +323,7 @@ class FeatureTracer {
         const bool is_there = found[k].ends[end] == tree_.mesh().uv[sides[k][end]];
         beside[end] = is_there ? sides[k][end] : next++;
       }
-      const std::uint32_t kept = place_to_keep(sides[k], beside);
+      const std::uint32_t kept = place_to_keep(sides[k], beside, tree_);
       for (const std::uint32_t vertex : beside) {
         // The ends of a side keep their places, even if the feature is as wide as the side.
         if (vertex == kept || vertex == sides[k][0] || vertex == sides[k][1]) continue;
@@ -406,16 +333,6 @@ class FeatureTracer {
       tree_.edges().set_feature(sides[k][0], sides[k][1],
                                 EdgeFeature{kind, sides[k][0], beside[0], beside[1]});
     }
-  }
-
-  /// The vertex whose place a feature takes: an end of its side within rounding, else the first
-  /// vertex beside it.
-  std::uint32_t place_to_keep(const Side& side, const std::array<std::uint32_t, 2>& beside) const {
-    for (std::size_t end = 0; end < 2; ++end) {
-      if (tree_.vertices().place_between(beside[end]) == tree_.vertices().place_between(side[end]))
-        return side[end];
-    }
-    return beside[0];
   }
 
   const TraceOptions& options_;
