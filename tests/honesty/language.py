@@ -344,11 +344,23 @@ class Surface:
         self._values, self._ends_v = scope["values"], scope["ends_v"]
         self.u0, self.u1 = (float(end) for end in scope["ends_u"]())
 
+    def _expanded(self, tree, arguments):
+        """A tree with calls of defined functions replaced by what they are; `arguments`: trees by names."""
+        if tree[0] == "name":
+            return arguments.get(tree[1], tree)
+        if tree[0] != "call":
+            return tree
+        given = [self._expanded(argument, arguments) for argument in tree[2]]
+        if tree[1] not in self._trees:
+            return ("call", tree[1], given)
+        names, body = self._trees[tree[1]]
+        return self._expanded(body, dict(zip(names, given)))
+
     def _compile_critical(self):
         found = []
         for arguments, tree in self._trees.values():
             if not arguments:
-                _critical(tree, found)
+                _critical(self._expanded(tree, {}), found)
         texts = []
         for tree in [factor for tree in found for factor in _factors(tree)]:
             text = _code(tree, self._names)

@@ -5,6 +5,7 @@ import unittest
 
 import numpy as np
 
+import thickened
 import verdict
 from language import Surface
 from mesh import Mesh
@@ -32,6 +33,21 @@ def errors(surface, mesh, unit, clip=None):
 
 
 EVEN = np.linspace(-1, 1, 11)
+
+
+class LanguageTest(unittest.TestCase):
+    def test_sees_where_defined_functions_jump(self):
+        surface = Surface(["f(a)=sign(a)", "z=f(u-0.3)-f(u+0.4)"])
+        values = surface.critical(surface.st(np.array([[0.3, 0.0], [-0.4, 0.0]])))
+        zeros = [np.flatnonzero(np.abs(value) < 1e-12).tolist() for value in values]
+        self.assertIn([0], zeros)
+        self.assertIn([1], zeros)
+
+    def test_reads_thickened_surfaces(self):
+        for case in thickened.cases(thickened.SEED, thickened.COUNT):
+            with self.subTest(number=case.number):
+                st = np.random.default_rng(1).random((40, 2))
+                self.assertTrue(np.isfinite(Surface(case.formulas)(st)).any())
 
 
 class OracleTest(unittest.TestCase):

@@ -36,6 +36,8 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
     if (leaf.state.leads_to_pole() || has_cut(FeatureKind::Pole, leaf, tree_)) return;
     delta_ = std::min(delta_, allowed);
     add_flat_sheets(leaf, number, allowed);
+    if (!triangles.empty() && count_features(leaf, tree_).strips > 0)
+      return close_jumps_.add(leaf, number, triangles);
     if (!triangles.empty()) return add_chords(leaf, number, triangles, FeatureKind::Jump);
   } else {
     if (leaf.state.cut() != LeafCut::Boundary) return;
@@ -206,6 +208,9 @@ std::vector<LeafDistance> BoundaryDistance::measure() {
   evaluations_ += strips_.evaluations();
   if (!chords_.empty()) measure_chords(found);
   if (!jumps_.empty()) measure_jumps(found);
+  const auto at_strips = close_jumps_.measure(delta_);
+  found.insert(found.end(), at_strips.begin(), at_strips.end());
+  evaluations_ += close_jumps_.evaluations();
   if (!omitted_.empty()) measure_omitted(found);
   return found;
 }

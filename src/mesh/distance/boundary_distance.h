@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/distance/close_jump_distance.h"
 #include "mesh/distance/strip_distance.h"
 #include "mesh/features/sheet_ends.h"
 #include "mesh/grid/grid.h"
@@ -29,7 +30,8 @@ class BoundaryDistance {
         tree_(tree),
         clip_(clip),
         threads_(threads),
-        strips_(surface, grid, tree, clip, threads) {}
+        strips_(surface, grid, tree, clip, threads),
+        close_jumps_(surface, grid, tree, threads) {}
 
   /// Adds a leaf with its triangles, which must outlive this, and its tolerance. Skips leaves
   /// without a boundary or a jump, and those that lead to a pole.
@@ -84,6 +86,7 @@ class BoundaryDistance {
   const std::optional<Bounds>& clip_;
   unsigned threads_;
   StripDistance strips_;
+  CloseJumpDistance close_jumps_;
   std::vector<EdgeChord> chords_;  ///< of boundaries
   std::vector<EdgeChord> jumps_;
   double delta_ = std::numeric_limits<double>::infinity();  ///< a smaller gap is no jump

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <glm/common.hpp>
 
@@ -143,6 +144,44 @@ std::vector<LocatedDiscontinuity> look_at(const Surface& surface, std::span<cons
   return found;
 }
 
+/// The parts of lines beside their jumps in which there are steps that slopes do not explain: other
+/// jumps, nearer than bounds tell. Places are looked at 4 times as near each, and down to kSame.
+std::vector<LinePart> steps_beside(const Surface& surface, std::span<const Line> lines,
+                                   std::span<const LocatedDiscontinuity> found, double delta,
+                                   unsigned threads, std::size_t& work) {
+  constexpr int kPlaces = 16;
+  constexpr double kNearer = 0.25;
+  std::vector<std::size_t> numbers;
+  std::vector<dvec2> uv;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (found[k].kind != Discontinuity::Jump) continue;
+    for (std::size_t end = 0; end < 2; ++end) {
+      numbers.push_back(k);
+      double share = 1;
+      for (int i = 0; i < kPlaces; ++i, share *= kNearer)
+        uv.push_back(glm::mix(found[k].ends[end], lines[k][end], share));
+      uv.push_back(found[k].ends[end]);
+    }
+  }
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  work += uv.size();
+  std::vector<LinePart> parts;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const bool is_first = i % 2 == 0;
+    const std::size_t first = i * (kPlaces + 1);
+    for (std::size_t j = first; j < first + kPlaces; ++j) {
+      const dvec2 way = uv[j + 1] - uv[j];
+      const auto slope = [&](const SurfacePoint& p) { return way.x * p.r_u + way.y * p.r_v; };
+      const dvec3 step = points[j + 1].position - points[j].position;
+      const double gap = glm::length(step - 0.5 * (slope(points[j]) + slope(points[j + 1])));
+      if (!(gap > delta)) continue;
+      const Line part = {uv[j], uv[j + 1]};
+      parts.push_back({numbers[i], is_first ? part : Line{part[1], part[0]}});
+    }
+  }
+  return parts;
+}
+
 /// The part of a line that holds two of its parts.
 Line hull(const Line& a, const Line& b, const Line& line) {
   const auto before = [&](const dvec2& first, const dvec2& second) {
@@ -180,6 +219,8 @@ std::vector<LocatedDiscontinuity> find_discontinuities_in(const Surface& surface
       follow_positions(surface, lines, lines, delta, threads, work);
   verify(surface, lines, delta, threads, found);
   std::vector<LinePart> open = unproved_parts(surface, lines, found, delta, work);
+  const auto steps = steps_beside(surface, lines, found, delta, threads, work);
+  open.insert(open.end(), steps.begin(), steps.end());
   const auto from_known = [&](const LinePart& part) {
     const LocatedDiscontinuity& known = found[part.line];
     return known.kind == Discontinuity::None ? 0 : glm::distance(part.part[0], known.ends[0]);
@@ -214,6 +255,42 @@ std::vector<LocatedDiscontinuity> find_discontinuities(const Surface& surface,
       find_discontinuities_in(surface, open_lines, delta, threads, work);
   for (std::size_t i = 0; i < open.size(); ++i) result[open[i]] = found[i];
   return result;
+}
+
+std::vector<std::vector<Line>> find_all_jumps(const Surface& surface, std::span<const Line> lines,
+                                              std::span<const LocatedDiscontinuity> found,
+                                              double delta, unsigned threads, std::size_t& work) {
+  std::vector<std::vector<Line>> jumps(lines.size());
+  std::vector<std::size_t> numbers;  // of the lines of parts that were not searched
+  std::vector<Line> parts;
+  const auto split = [&](std::size_t k, const Line& part, const LocatedDiscontinuity& at) {
+    if (at.kind != Discontinuity::Jump || jumps[k].size() == kMostCloseJumps) {
+      jumps[k].assign(kMostCloseJumps + 1, at.ends);
+      return;
+    }
+    jumps[k].push_back(at.ends);
+    for (const Line& rest : {Line{part[0], at.ends[0]}, Line{at.ends[1], part[1]}}) {
+      if (rest[0] == rest[1]) continue;
+      numbers.push_back(k);
+      parts.push_back(rest);
+    }
+  };
+  for (std::size_t k = 0; k < lines.size(); ++k) split(k, lines[k], found[k]);
+  while (!parts.empty()) {
+    const auto of = std::exchange(numbers, {});
+    const auto searched = std::exchange(parts, {});
+    const auto more = find_discontinuities(surface, searched, delta, threads, work);
+    for (std::size_t i = 0; i < searched.size(); ++i) {
+      const bool is_given_up = jumps[of[i]].size() > kMostCloseJumps;
+      if (more[i].kind != Discontinuity::None && !is_given_up) split(of[i], searched[i], more[i]);
+    }
+  }
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (jumps[k].size() > kMostCloseJumps) jumps[k].clear();
+    std::ranges::sort(jumps[k], {},
+                      [&](const Line& jump) { return glm::distance(lines[k][0], jump[0]); });
+  }
+  return jumps;
 }
 
 std::vector<LocatedDiscontinuity> find_creases(const Surface& surface, std::span<const Line> lines,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -20,8 +21,16 @@ std::vector<LocatedDiscontinuity> find_discontinuities(const Surface& surface,
                                                        std::span<const Line> lines, double delta,
                                                        unsigned threads, std::size_t& work);
 
-/// The same for unit normals. A jump by more than kCreaseDegrees is a crease, or a cusp if the
-/// normal turns to its opposite. `normals`: along r_u x r_v, at the ends of each line.
+/// All jumps of lines on which find_discontinuities() found more than one, in the order of the
+/// line. None for a line that leads to a pole or has more than kMostCloseJumps.
+inline constexpr std::size_t kMostCloseJumps = 8;
+std::vector<std::vector<Line>> find_all_jumps(const Surface& surface, std::span<const Line> lines,
+                                              std::span<const LocatedDiscontinuity> found,
+                                              double delta, unsigned threads, std::size_t& work);
+
+/// Searches lines for jumps of unit normals, as find_discontinuities() does. A jump by more than
+/// kCreaseDegrees is a crease, or a cusp if the normal turns to its opposite. `normals`: along r_u
+/// x r_v, at the ends of each line.
 std::vector<LocatedDiscontinuity> find_creases(const Surface& surface, std::span<const Line> lines,
                                                std::span<const std::array<dvec3, 2>> normals,
                                                unsigned threads, std::size_t& work);

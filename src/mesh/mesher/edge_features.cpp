@@ -8,6 +8,7 @@
 #include "mesh/features/approach.h"
 #include "mesh/features/cliffs.h"
 #include "mesh/features/discontinuities.h"
+#include "mesh/mesher/close_jumps.h"
 #include "mesh/mesher/pole_features.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
@@ -137,7 +138,9 @@ class FeatureTracer {
     std::vector<Side> jumping;
     std::vector<LocatedDiscontinuity> jumps;
     std::vector<Side> poles;
+    const std::vector<bool> is_done = add_strips(sides, found, delta, options_, tree_);
     for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (is_done[k]) continue;
       if (const auto& between = found[k].between)
         tree_.edges().set_has_more(sides[k][0], sides[k][1], *between);
       switch (found[k].kind) {
@@ -232,12 +235,13 @@ class FeatureTracer {
     std::uint32_t next = first;
     for (std::size_t k = 0; k < sides.size(); ++k) {
       EdgeFeature cliff{FeatureKind::Cliff, sides[k][0], sides[k][0], sides[k][1]};
-      cliff.on_cliff = next;
+      cliff.first_on_strips = next;
+      cliff.strips = 1;
       next += 2;
       if (cliffs[k][0] != uv[sides[k][0]]) cliff.beside_first = next++;
       if (cliffs[k][1] != uv[sides[k][1]]) cliff.beside_second = next++;
-      tree_.geometry().join(cliff.beside_first, cliff.on_cliff);
-      tree_.geometry().join(cliff.beside_second, cliff.on_cliff + 1);
+      tree_.geometry().join(cliff.beside_first, cliff.first_on_strips);
+      tree_.geometry().join(cliff.beside_second, cliff.first_on_strips + 1);
       tree_.edges().set_feature(sides[k][0], sides[k][1], cliff);
     }
   }
@@ -319,7 +323,7 @@ class FeatureTracer {
         const bool is_there = found[k].ends[end] == tree_.mesh().uv[sides[k][end]];
         beside[end] = is_there ? sides[k][end] : next++;
       }
-      const std::uint32_t kept = place_to_keep(sides[k], beside);
+      const std::uint32_t kept = place_to_keep(sides[k], beside, tree_);
       for (const std::uint32_t vertex : beside) {
         // The ends of a side keep their places, even if the feature is as wide as the side.
         if (vertex == kept || vertex == sides[k][0] || vertex == sides[k][1]) continue;
@@ -329,16 +333,6 @@ class FeatureTracer {
       tree_.edges().set_feature(sides[k][0], sides[k][1],
                                 EdgeFeature{kind, sides[k][0], beside[0], beside[1]});
     }
-  }
-
-  /// The vertex whose place a feature takes: an end of its side within rounding, else the first
-  /// vertex beside it.
-  std::uint32_t place_to_keep(const Side& side, const std::array<std::uint32_t, 2>& beside) const {
-    for (std::size_t end = 0; end < 2; ++end) {
-      if (tree_.vertices().place_between(beside[end]) == tree_.vertices().place_between(side[end]))
-        return side[end];
-    }
-    return beside[0];
   }
 
   const TraceOptions& options_;

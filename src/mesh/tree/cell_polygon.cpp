@@ -70,6 +70,9 @@ class Cutter {
     if (folded && cuts_ < 2) cut_at_singular_points();
     std::vector<Polygon> result;
     if (creases_.size() >= 3) add(middle(), result);
+    if (jump_sides_ == 2 && cuts_ == 2 && has_like_strips_) {
+      for (Polygon& strip : strips_) add(std::move(strip), result);
+    }
     for (Run& run : runs_) {
       if (!run.goes_far) add(std::move(run.polygon), result);
     }
@@ -92,8 +95,22 @@ class Cutter {
     return polygon;
   }
 
-  void append(std::uint32_t vertex) {
-    runs_.back().polygon.push_back({vertex, tree_.vertices().place_between(vertex)});
+  PolygonCorner corner(std::uint32_t vertex) const {
+    return {vertex, tree_.vertices().place_between(vertex)};
+  }
+  void append(std::uint32_t vertex) { runs_.back().polygon.push_back(corner(vertex)); }
+
+  /// Appends what jumps on the way from a vertex cross between them. On its second crossing a
+  /// boundary meets the strips of the first in the reverse order.
+  void cross_strips(const EdgeFeature& jumps, std::uint32_t from) {
+    const bool is_first = jump_sides_++ == 0;
+    if (is_first) strips_.resize(jumps.strips);
+    has_like_strips_ = has_like_strips_ && strips_.size() == jumps.strips;
+    if (!has_like_strips_) return;
+    for (std::size_t k = 0; k < jumps.strips; ++k) {
+      Polygon& strip = strips_[is_first ? k : jumps.strips - 1 - k];
+      for (const std::uint32_t vertex : jumps.on_strip(k, from)) strip.push_back(corner(vertex));
+    }
   }
 
   void cut() {
@@ -126,11 +143,9 @@ class Cutter {
     if (feature->kind == FeatureKind::Crease)
       creases_.push_back({feature->beside(a), place(*feature)});
     if (feature->kind == FeatureKind::Cliff) {
-      for (const std::uint32_t end : {a, b}) {
-        const std::uint32_t vertex = feature->on_cliff_beside(end);
-        creases_.push_back({vertex, tree_.vertices().place_between(vertex)});
-      }
+      for (const std::uint32_t vertex : feature->on_strip(0, a)) creases_.push_back(corner(vertex));
     }
+    if (feature->kind == FeatureKind::Jump) cross_strips(*feature, a);
     cut();
     if (tree_.geometry().is_defined(b)) {
       runs_.back().goes_far = far;
@@ -237,7 +252,10 @@ class Cutter {
   const Polygon& whole_;
   const CellTree& tree_;
   std::vector<Run> runs_{1};
-  Polygon creases_;  // places where creases and both ends of cliffs cross sides
+  Polygon creases_;              // places where creases and both ends of cliffs cross sides
+  std::vector<Polygon> strips_;  // between jumps
+  std::size_t jump_sides_ = 0;
+  bool has_like_strips_ = true;  // all of these sides have as many
   std::size_t cuts_ = 0;
   std::size_t boundaries_ = 0;  // among the cuts
   std::size_t lines_ = 0;       // vertices on undefined lines

@@ -44,20 +44,27 @@ inline bool leaves_out(FeatureKind kind) {
 
 /// Where a side is cut: the last vertices on either side of the cut. At a boundary they are one
 /// vertex. At a pole they are on the way to infinity, or where that leaves the clip box. At a
-/// crease they are one point with two normals. At a cliff they are its foot and its head.
+/// crease they are one point with two normals. At a cliff they are its foot and its head. Several
+/// jumps close to each other are one feature: between them are the thin strips of other sheets.
 struct EdgeFeature {
   FeatureKind kind;
   std::uint32_t first;  ///< the neighbour with the smaller number
   std::uint32_t beside_first, beside_second;
   /// The numbers of the faces through which the surface leaves the clip box there, beside a pole.
   std::array<std::uint8_t, 2> exits = {};
-  /// The first of two vertices with the normals of a cliff, at the places of those beside it.
-  std::uint32_t on_cliff = kNoIndex;
+  /// The first of two vertices for each strip between those beside the feature, in their order: of
+  /// thin sheets between jumps, or of a cliff, with its normals at the places of those beside it.
+  std::uint32_t first_on_strips = kNoIndex;
+  std::uint8_t strips = 0;
 
   /// Whether the surface goes on across it.
   bool is_continuous() const { return kind == FeatureKind::Crease || kind == FeatureKind::Cliff; }
-  std::uint32_t on_cliff_beside(std::uint32_t neighbour) const {
-    return neighbour == first ? on_cliff : on_cliff + 1;
+  /// The two vertices of a strip, both counted from a neighbour.
+  std::array<std::uint32_t, 2> on_strip(std::size_t strip, std::uint32_t neighbour) const {
+    const auto from_first =
+        static_cast<std::uint32_t>(neighbour == first ? strip : strips - 1 - strip);
+    const std::uint32_t low = first_on_strips + 2 * from_first;
+    return neighbour == first ? std::array{low, low + 1} : std::array{low + 1, low};
   }
   std::uint32_t beside(std::uint32_t neighbour) const {
     return neighbour == first ? beside_first : beside_second;
@@ -66,8 +73,7 @@ struct EdgeFeature {
   /// Vertices of the mesh that the feature adds between the ends of its side.
   std::size_t count_new_vertices() const {
     if (leaves_out(kind)) return 0;
-    if (kind == FeatureKind::Cliff) return 4;
-    return beside_first == beside_second ? 1 : 2;
+    return (beside_first == beside_second ? 1U : 2U) + 2U * strips;
   }
   /// Whether the surface ends here, with nothing beyond.
   bool is_boundary() const {

@@ -85,6 +85,8 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
   std::optional<int> first_exit;  // where the surface leaves the clip box before the first cut
   std::optional<int> entry;       // and beyond the last one
   std::size_t faces = 0;
+  std::optional<std::size_t> strips;  // of the first feature
+  bool has_like_strips = true;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     add_singular_vertex(a, tree, singular);
     const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
@@ -92,6 +94,9 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
     if (!feature) return;
     // A pole that leaves the clip box at an undefined vertex counts once.
     if (feature->kind == FeatureKind::Face && !tree.geometry().is_defined(a)) return;
+    const std::size_t own = feature->kind == FeatureKind::Jump ? feature->strips : 0;
+    if (!strips) strips = own;
+    has_like_strips = has_like_strips && own == *strips;
     const bool on_side_of_u =
         tree.vertices().place_between(a).x == tree.vertices().place_between(b).x;
     const bool has_more = tree.edges().has_more(a, b);
@@ -100,6 +105,9 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
     count.features += features;
     if (feature->kind == FeatureKind::Face) {
       const int from = feature->exit_beside(a);
+      if (strips && count.features == 2 && has_like_strips) count.strips = *strips;
+      if (strips && count.strips != *strips) count.has_more = true;
+      if (!has_like_strips) count.has_more = true;
       count.changes_face = count.changes_face || (entry && *entry != from);
       if (!first_exit) first_exit = from;
       entry = feature->exit_beside(b);
@@ -115,6 +123,9 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
     count.only_jumps =
         count.only_jumps && (feature->is_continuous() || feature->kind == FeatureKind::Jump);
   });
+  if (strips && count.features == 2 && has_like_strips) count.strips = *strips;
+  if (strips && count.strips != *strips) count.has_more = true;
+  if (!has_like_strips) count.has_more = true;
   count.changes_face = count.changes_face || entry != first_exit || faces % 2 == 1;
   count.singular_points = singular.size();
   if (count.features > 2) count.at_vertices = count_cut_vertices(leaf, tree);

@@ -35,7 +35,8 @@ struct FeatureCount {
   bool only_jumps = true;    ///< and creases and cliffs
   bool has_cliffs = false;
   bool is_continuous = true;   ///< there are no others than creases and cliffs
-  bool has_more = false;       ///< a side has more than one
+  bool has_more = false;       ///< a side has more than one, or strips that end in the leaf
+  std::size_t strips = 0;      ///< that go through the leaf, between jumps
   bool leads_to_pole = false;  ///< a side does
 
   /// The direction that separates several lines which cut a leaf: lines that cross its sides of

@@ -37,8 +37,8 @@ std::optional<JumpLine> jump_line_of(const Leaf& leaf, const Grid& grid, const C
     const auto [below, above] = std::minmax(first[axis], second[axis]);
     const bool may_jump =
         feature->kind == FeatureKind::Jump || feature->kind == FeatureKind::Crease;
-    is_one =
-        is_one && may_jump && first[1 - axis] == second[1 - axis] && (!line || line->axis == axis);
+    is_one = is_one && may_jump && feature->strips == 0 && first[1 - axis] == second[1 - axis] &&
+             (!line || line->axis == axis);
     if (!line) line = {axis, below, above};
     line->below = std::min(line->below, below);
     line->above = std::max(line->above, above);

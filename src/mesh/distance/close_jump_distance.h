@@ -1,0 +1,57 @@
+// Distances of a mesh from the thin sheets of a surface that lie between jumps close to each other.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/distance/strip_distance.h"
+#include "mesh/grid/grid.h"
+#include "mesh/proof/continuity.h"
+#include "mesh/tree/leaf.h"
+
+namespace saddle {
+
+class CellTree;
+
+class CloseJumpDistance {
+ public:
+  CloseJumpDistance(const Surface& surface, const Grid& grid, const CellTree& tree,
+                    unsigned threads)
+      : surface_(surface), grid_(grid), tree_(tree), threads_(threads) {}
+
+  /// Adds lines across the strips that go through a leaf, of which FeatureCount::strips tells. Its
+  /// triangles must outlive this.
+  void add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles);
+  /// Distances at the leaves that were added; several for some. A gap of less than `delta` is no
+  /// jump.
+  std::vector<LeafDistance> measure(double delta);
+
+  std::size_t evaluations() const { return evaluations_; }
+
+ private:
+  /// A line across a leaf, from one of the sheets that the strips part to the other.
+  struct Across {
+    std::size_t leaf;
+    std::span<const Triangle> triangles;
+    Line line;
+    double share;  ///< where it crosses the segments
+    /// The segments along which the mesh's sheets end or, of strips, go through the leaf.
+    std::vector<std::array<dvec3, 2>> sheets;
+  };
+  void measure(const Across& across, std::span<const dvec2> uv, std::span<const dvec3> sheets,
+               std::vector<LeafDistance>& found) const;
+  std::vector<std::array<dvec3, 2>> sheets_of(const Leaf& leaf,
+                                              std::array<dvec2, 2>& middles) const;
+
+  const Surface& surface_;
+  const Grid& grid_;
+  const CellTree& tree_;
+  unsigned threads_;
+  std::vector<Across> across_;
+  std::size_t evaluations_ = 0;
+};
+
+}  // namespace saddle
