@@ -14,10 +14,8 @@
 #include "view/model/model.h"
 
 namespace saddle {
-namespace {
 
-/// "torus.png", or the first of "torus-2.png" ... that does not exist.
-std::filesystem::path free_name(const std::string& title, const std::string& extension) {
+std::filesystem::path free_file_name(const std::string& title, const std::string& extension) {
   std::string stem;
   for (const char c : title) {
     const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
@@ -30,6 +28,8 @@ std::filesystem::path free_name(const std::string& title, const std::string& ext
   }
   return path;
 }
+
+namespace {
 
 /// The scene's picture and nothing else: no normals, no wires.
 Image draw_meshed(const Meshed& meshed) {
@@ -45,7 +45,7 @@ Image draw_meshed(const Meshed& meshed) {
 /// Returns what became of it.
 std::string write(const Image& image, const Scene& scene) {
   try {
-    const auto path = free_name(scene.title, ".png");
+    const auto path = free_file_name(scene.title, ".png");
     write_file_whole(path, [&](std::ostream& out) { write_scene_png(out, {image, scene}); });
     return "saved " + path.string();
   } catch (...) {
@@ -56,7 +56,7 @@ std::string write(const Image& image, const Scene& scene) {
 }  // namespace
 
 std::filesystem::path save_scene(const Scene& scene) {
-  auto path = free_name(scene.title, ".toml");
+  auto path = free_file_name(scene.title, ".toml");
   const std::string text = write_scene(scene);
   write_file_whole(path, [&](std::ostream& out) { out << text; });
   return path;
