@@ -328,7 +328,7 @@ int go_all_the_way(Viewer& viewer, RandomHand& hand, const std::string& key) {
 
 TEST_F(RandomHands, UndoAllThatTheyDid) {
   const std::uint64_t seed = number_from("SADDLE_RANDOM_SEED", 1) + 1000;
-  const auto events = static_cast<int>(number_from("SADDLE_RANDOM_EVENTS", kSomeEvents));
+  const auto events = static_cast<int>(number_from("SADDLE_RANDOM_EVENTS", kSomeEvents / 2));
   const std::chrono::seconds seconds(number_from("SADDLE_RANDOM_SECONDS", 0));
   Viewer viewer(torus());
   const std::jthread waker([](const std::stop_token& end) {

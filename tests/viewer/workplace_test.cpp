@@ -15,6 +15,7 @@
 
 #include "base/file.h"
 #include "export/formats/load_scene.h"
+#include "export/page/page.h"
 #include "paths.h"
 #include "scene/model/gallery.h"
 #include "view/window/viewer.h"
@@ -279,6 +280,18 @@ TEST_F(Workplace, ShowsAllOfALongFormulaWhileItIsEdited) {
   ASSERT_EQ(status(), 0);
   open({"z=u*v+0*(u+v+u+v+u+v+u+v+u+v+u+v+u+v+u+v+u+v+u+v+u+v+u+v+u+v+u+v)"});
   EXPECT_GT(changes(), 200);
+}
+
+TEST_F(Workplace, SavesAPageOfWhatItShows) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  choose(viewer, "Ctrl-P", "save page");
+  ASSERT_TRUE(until(viewer, [&] { return std::filesystem::exists("torus.html"); }));
+  const std::string page = read_file("torus.html");
+  EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+  const auto scene = scene_in_page(page, "torus.html");
+  ASSERT_TRUE(scene);
+  EXPECT_NE(scene->find("r = 0.8"), std::string::npos) << *scene;
 }
 
 TEST_F(Workplace, KeepsNoWorkThatIsSaved) {

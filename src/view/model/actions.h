@@ -16,6 +16,7 @@ enum class Action {
   SavePicture,
   SaveScene,
   Export,
+  SavePage,
   CopyCommand,
   CopyScene,
   Restore,

@@ -88,6 +88,9 @@ bool Viewer::act_on_files(Action action) {
     case Action::SavePicture:
       saver_.save_picture(model_.scene_to_save());
       return true;
+    case Action::SavePage:
+      saver_.save_page(model_.scene_to_save());
+      return true;
     case Action::SaveScene: {
       const auto path = save_scene(model_.scene_to_save());
       say("saved " + path.string());
