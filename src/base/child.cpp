@@ -140,11 +140,21 @@ bool Child::feed(std::string_view bytes) {
 int Child::wait() {
   pipes_->to_child.in.close_now();
   if (listener_.joinable()) listener_.join();
+  siginfo_t ignored{};
+  while (waitid(P_PID, static_cast<id_t>(process_), &ignored, WEXITED | WNOWAIT) < 0 &&
+         errno == EINTR) {
+  }
+  const std::lock_guard lock(mutex_);
   int status = 0;
   while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }
   process_ = -1;
   return status;
+}
+
+void Child::interrupt() {
+  const std::lock_guard lock(mutex_);
+  if (process_ >= 0) kill(process_, SIGKILL);
 }
 
 void Child::finish() {

@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,6 +34,12 @@ class Child {
   /// what it said if it fails. Called once.
   void finish();
 
+  /// Kills it, from any thread, while another one feeds it or waits in finish().
+  void interrupt();
+
+  /// The end of its standard error, at most some thousand bytes. After finish().
+  const std::string& words() const { return said_; }
+
  private:
   struct Pipes;
 
@@ -42,6 +49,7 @@ class Child {
   std::string name_;
   std::unique_ptr<Pipes> pipes_;
   std::string said_;
+  std::mutex mutex_;       ///< of `process_`, whose number is another's once it was waited for
   pid_t process_ = -1;     ///< -1: waited for
   std::jthread listener_;  ///< beside feeding: neither side waits for the other
 };

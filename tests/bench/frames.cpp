@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "app/commands/view.h"
@@ -185,6 +186,55 @@ void edits() {
       times[times.size() / 2], times[times.size() * 9 / 10], times.size());
 }
 
+/// From letters of a formula to their pictures on the screen, with OpenGL's part.
+void letters() {
+  constexpr int kLetters = 24;
+  Viewer viewer(setup_of({"torus", "-s", "996x770"}));
+  rest(viewer);
+  Event event;
+  event.place = {200, 116};  // z
+  viewer.receive(event);
+  for (const auto kind : {Event::Kind::Press, Event::Kind::Release}) {
+    event.kind = kind;
+    viewer.receive(event);
+    viewer.step();
+  }
+  constexpr int kKeyEnd = 269;
+  press(viewer, kKeyEnd);
+  for (const char letter : {'+', '0', '.'}) type(viewer, letter);
+  rest(viewer);
+  std::vector<double> times;
+  for (int i = 0; i < kLetters; ++i) {
+    const auto shown = viewer.model().meshes();
+    const std::size_t pictures = viewer.drawing().figures().frames;
+    const auto begin = Clock::now();
+    type(viewer, static_cast<char>('1' + i % 9));
+    while (viewer.model().meshes() == shown || viewer.drawing().figures().frames == pictures) {
+      viewer.step();
+    }
+    times.push_back(ms(Clock::now() - begin));
+    rest(viewer);
+  }
+  std::ranges::sort(times);
+  std::printf("torus in 996x770: a letter to its picture: median %.1f ms, %.1f to %.1f ms\n",
+              times[times.size() / 2], times.front(), times.back());
+}
+
+/// From before the window to all pictures of the start page.
+void start_page() {
+  const auto begin = Clock::now();
+  ViewerSetup setup;
+  setup.start = true;
+  setup.scene.picture.width = 900;
+  setup.scene.picture.height = 680;
+  Viewer viewer(std::move(setup));
+  viewer.step();
+  const double first = ms(Clock::now() - begin);
+  rest(viewer);
+  std::printf("start page: there after %.0f ms, with all %zu pictures after %.0f ms\n", first,
+              gallery().size(), ms(Clock::now() - begin));
+}
+
 double processor_ms() {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
@@ -220,6 +270,8 @@ int main() {
       waiting(what, 3840, 2160);
     }
     at_rest();
+    start_page();
+    letters();
     edits();
   } catch (const Error& error) {
     std::fputs(format_error(error).c_str(), stderr);

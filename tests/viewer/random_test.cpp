@@ -1,20 +1,24 @@
 // Hands that do anything at all, in this process: real window, real OpenGL, made-up events. Under a
 // sanitizer it looks for wrong memory and leaks, too.
 //
-// SADDLE_RANDOM_EVENTS: how many, SADDLE_RANDOM_SEED: which.
+// SADDLE_RANDOM_EVENTS: how many, SADDLE_RANDOM_SEED: which, SADDLE_RANDOM_SECONDS: how long they
+// change and undo things.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 
 #include "base/error.h"
 #include "base/random.h"
 #include "meshing/tessellate.h"
+#include "paths.h"
 #include "random_formula.h"
 #include "render/picture/canvas.h"
 #include "render/picture/renderer.h"
@@ -29,6 +33,7 @@ namespace {
 
 constexpr int kSomeEvents = 200;
 constexpr int kEventsToRest = 100;
+constexpr int kEventsToUndo = 50;
 constexpr int kEventsToResize = 30;
 constexpr std::chrono::minutes kPatience{2};
 
@@ -40,6 +45,7 @@ std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
 /// GLFW's numbers for keys that fields understand.
 constexpr int kKeyA = 65;
 constexpr int kKeyEscape = 256;
+constexpr int kKeyReturn = 257;
 constexpr int kKeyBackspace = 259;
 constexpr int kKeyControl = 341;
 constexpr int kModControl = 2;
@@ -151,6 +157,7 @@ class RandomHand {
     event.code = code;
     event.mods = mods;
     if (down && code == kKeyEscape) event.key = "Escape";
+    if (down && code == kKeyReturn) event.key = "Return";
     viewer_.receive(event);
   }
 
@@ -172,11 +179,24 @@ class RandomHand {
     }
   }
 
-  /// Any but those that end the program.
+  /// Any but those that end the program. Those without a key are found by their names.
   void press_key() {
     const auto table = action_table();
     const ActionRow& row = table[below(static_cast<int>(table.size()))];
-    if (row.action != Action::Quit && *row.key != 0) press_key_named(row.key);
+    if (row.action == Action::Quit) return;
+    if (*row.key != 0 && below(4) != 0) return press_key_named(row.key);
+    if (row.menu == Menu::None) return;
+    press_key_named("Ctrl-P");
+    settle();
+    type(row.name);
+    settle();
+    for (const bool down : {true, false}) key(kKeyReturn, 0, down);
+    settle();
+  }
+
+  void settle() {
+    while (viewer_.has_events()) viewer_.step();
+    viewer_.step();
   }
 
   Viewer& viewer_;
@@ -194,6 +214,7 @@ ViewerSetup torus() {
     if (detail == Detail::Preview) asked.mesh.samples = GridSize{30, 30};
     return tessellate(asked, asked.surfaces[surface], {.picture = true}, 0);
   };
+  setup.program = program_path();
   setup.reload = [] { return gallery_scene(*find_gallery_entry("torus")); };
   return setup;
 }
@@ -270,6 +291,81 @@ class RandomHands : public ViewerTest {
  private:
   std::filesystem::path before_;
 };
+
+/// Megabytes of memory that the process has.
+double megabytes() {
+  std::size_t all = 0;
+  std::size_t resident = 0;
+  std::ifstream("/proc/self/statm") >> all >> resident;
+  return static_cast<double>(resident) * 4096 / (1 << 20);
+}
+
+/// What undo and redo are about: a hand's way with the camera is no change, nor is the moment.
+std::string undone_things(const Model& model) {
+  Scene scene = model.scene();
+  scene.camera = {};
+  scene.t = 0;
+  scene.picture.width = scene.picture.height = 1;
+  const ViewState& view = model.view();
+  const std::string looks = std::string(view.grid ? "g" : "") + (view.wireframe ? "w" : "") +
+                            (view.normals ? "n" : "") + (view.turntable ? "t" : "");
+  return write_scene(scene) + looks;
+}
+
+/// Undoes or redoes all that there is; how many changes they were.
+int go_all_the_way(Viewer& viewer, RandomHand& hand, const std::string& key) {
+  int count = 0;
+  const auto has_more = [&] {
+    const History& history = viewer.model().history();
+    return key == "Ctrl-Z" ? history.has_past() : history.has_future();
+  };
+  for (; has_more() && count < 2000; ++count) {
+    hand.press_key_named(key);
+    while (viewer.has_events()) viewer.step();
+  }
+  return count;
+}
+
+TEST_F(RandomHands, UndoAllThatTheyDid) {
+  const std::uint64_t seed = number_from("SADDLE_RANDOM_SEED", 1) + 1000;
+  const auto events = static_cast<int>(number_from("SADDLE_RANDOM_EVENTS", kSomeEvents / 2));
+  const std::chrono::seconds seconds(number_from("SADDLE_RANDOM_SECONDS", 0));
+  Viewer viewer(torus());
+  const std::jthread waker([](const std::stop_token& end) {
+    while (!end.stop_requested()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      Window::wake();
+    }
+  });
+  RandomHand hand(viewer, seed);
+  ASSERT_TRUE(rests(viewer, hand));
+  const std::string first = undone_things(viewer.model());
+  const double memory = megabytes();
+  const auto end = std::chrono::steady_clock::now() + seconds;
+  const auto goes_on = [&](int i) {
+    return seconds.count() > 0 ? std::chrono::steady_clock::now() < end : i < events;
+  };
+  int undone = 0;
+  for (int i = 0; goes_on(i) || i % kEventsToUndo != 0; ++i) {
+    hand.act();
+    viewer.step();
+    ASSERT_FALSE(viewer.is_to_end()) << "deed " << i << " of seed " << seed;
+    if (i % kEventsToUndo != kEventsToUndo - 1) continue;
+    ASSERT_TRUE(rests(viewer, hand)) << "stuck after " << i << " deeds of seed " << seed;
+    const std::string last = undone_things(viewer.model());
+    const int count = go_all_the_way(viewer, hand, "Ctrl-Z");
+    ASSERT_EQ(undone_things(viewer.model()), first) << "after " << i << " deeds of seed " << seed;
+    ASSERT_EQ(go_all_the_way(viewer, hand, "Ctrl-Shift-Z"), count);
+    ASSERT_EQ(undone_things(viewer.model()), last) << "after " << i << " deeds of seed " << seed;
+    go_all_the_way(viewer, hand, "Ctrl-Z");
+    undone += count;
+  }
+  EXPECT_GT(undone, events / 4);
+  if (seconds.count() == 0) return;
+  std::printf("%d changes undone; memory %.0f MB, %.2f times the start's\n", undone, megabytes(),
+              megabytes() / memory);
+  EXPECT_LE(megabytes(), 1.5 * memory);
+}
 
 TEST_F(RandomHands, LeaveAPictureThatIsRightAndNothingBehind) {
   const std::uint64_t seed = number_from("SADDLE_RANDOM_SEED", 1);

@@ -212,6 +212,76 @@ TEST_F(Workplace, BringsUnsavedWorkBack) {
   EXPECT_FALSE(Session().left_work());
 }
 
+TEST_F(Workplace, BringsWorkWithAMistakeBack) {
+  open({"z=u*v"});
+  enter_field(2);
+  act("type '+sqrt(kk'");
+  settled_picture();
+  act("key ctrl+q");
+  ASSERT_EQ(status(), 0);
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  choose(viewer, "Ctrl-P", "unsaved");
+  ASSERT_EQ(viewer.model().scene().surfaces.size(), 1U);
+  EXPECT_EQ(viewer.model().scene().surfaces[0].z, "u*v+sqrt(kk");
+  EXPECT_TRUE(rests(viewer));
+  EXPECT_TRUE(viewer.model().error());
+}
+
+TEST_F(Workplace, WritesFilesOfAnyFormat) {
+  open({"torus"});
+  act("mousemove 700 300 key S");
+  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(path("torus.toml")); }));
+  const auto take = [&](const std::string& typed, const std::string& name) {
+    act("key ctrl+e sleep 0.5 type '" + typed + "'");
+    act("sleep 0.5 key Return");
+    return eventually([&] { return std::filesystem::exists(path(name)); });
+  };
+  const auto is_same = [&](const std::string& name, std::vector<std::string> options) {
+    std::vector<std::string> arguments{path("torus.toml"), "-o", path("other-" + name)};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    EXPECT_EQ(headless(arguments), 0);
+    return read_file(path(name)) == read_file(path("other-" + name));
+  };
+  ASSERT_TRUE(take("a.ply", "a.ply"));
+  EXPECT_TRUE(is_same("a.ply", {}));
+  ASSERT_TRUE(take("b.png 64x48", "b.png"));
+  EXPECT_TRUE(is_same("b.png", {"--size", "64x48"}));
+  ASSERT_TRUE(take("gl", "gl.png")) << "the first of its names";
+}
+
+TEST_F(Workplace, IsLightWhereItsSceneIs) {
+  open({"z=u*v"});
+  const auto brightness = [&] { return int{screenshot().pixel(200, 590)[0]}; };
+  EXPECT_TRUE(eventually([&] { return brightness() < 60; }));
+  act("key ctrl+q");
+  ASSERT_EQ(status(), 0);
+  start({"z=u*v", "--theme", "paper"});
+  EXPECT_TRUE(eventually([&] { return brightness() > 200; }));
+}
+
+TEST_F(Workplace, ShowsAllOfALongFormulaWhileItIsEdited) {
+  const auto changes = [&] {  // below the field of z
+    const Image before = screenshot();
+    enter_field(2);
+    settled_picture();
+    const Image after = screenshot();
+    int count = 0;
+    for (int y = 130; y < 150; ++y) {
+      for (int x = 8; x < 290; ++x) {
+        count += std::equal(before.pixel(x, y), before.pixel(x, y) + 4, after.pixel(x, y)) ? 0 : 1;
+      }
+    }
+    return count;
+  };
+  open({"z=u*v"});
+  EXPECT_LT(changes(), 20);
+  act("key ctrl+q");
+  ASSERT_EQ(status(), 0);
+  open({"z=u*v+0*(u+v+u+v+u+v+u+v+u+v+u+v+u+v+u+v+u+v+u+v+u+v+u+v+u+v+u+v)"});
+  EXPECT_GT(changes(), 200);
+}
+
 TEST_F(Workplace, SavesAPageOfWhatItShows) {
   Viewer viewer(setup_of(entry("torus")));
   ASSERT_TRUE(rests(viewer));

@@ -348,16 +348,24 @@ void check_scene(const TomlReader& reader, const Scene& scene) {
   }
 }
 
-}  // namespace
-
-Scene read_scene(const SourceText& source, const std::optional<Theme>& theme) {
+Scene read(const SourceText& source, const std::optional<Theme>& theme, bool is_draft) {
   const TomlValue root = parse_toml(source);
   TomlPlaces places(source);
   TomlReader reader(places);
   Scene scene = read_tables(reader, root, theme);
   check_size(reader, scene);
-  check_scene(reader, scene);
+  if (!is_draft) check_scene(reader, scene);
   return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const SourceText& source, const std::optional<Theme>& theme) {
+  return read(source, theme, false);
+}
+
+Scene read_draft(const SourceText& source) {
+  return read(source, {}, true);
 }
 
 }  // namespace saddle

@@ -17,4 +17,7 @@ std::string write_scene(const Scene& scene);
 /// resolve() and bind_surface() find. `theme`: in place of the file's.
 Scene read_scene(const SourceText& source, const std::optional<Theme>& theme = {});
 
+/// The same of a scene that is not finished: formulas, numbers and nodes may be wrong.
+Scene read_draft(const SourceText& source);
+
 }  // namespace saddle

@@ -14,6 +14,8 @@ constexpr auto kTable = std::to_array<ActionRow>({
     {Action::Gallery, "Gallery ...", "Ctrl-G", Menu::File, "choose a surface of the gallery"},
     {Action::SavePicture, "Save picture", "s", Menu::File, "save a PNG"},
     {Action::SaveScene, "Save scene", "S", Menu::File, "save the scene with this camera"},
+    {Action::Export, "Export ...", "Ctrl-E", Menu::File,
+     "write a file of any format: picture, mesh, page, film"},
     {Action::SavePage, "Save page", "", Menu::File, "save a page that draws it in a browser"},
     {Action::CopyCommand, "Copy as command", "c", Menu::File, "copy the scene as a command line"},
     {Action::CopyScene, "Copy as scene", "C", Menu::File, "copy the scene as a scene file"},
@@ -117,6 +119,7 @@ bool works_while_typing(Action action) {
     case Action::New:
     case Action::Open:
     case Action::Gallery:
+    case Action::Export:
     case Action::Actions:
     case Action::Panel:
     case Action::FullScreen:

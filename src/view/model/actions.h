@@ -15,6 +15,7 @@ enum class Action {
   Gallery,
   SavePicture,
   SaveScene,
+  Export,
   SavePage,
   CopyCommand,
   CopyScene,

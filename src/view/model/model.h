@@ -32,7 +32,8 @@ struct ViewerSetup {
   unsigned threads = 0;           ///< of meshing; 0: all
   bool quiet = false;             ///< show no warnings
   bool verbose = false;           ///< say at the end what it took
-  Tessellate tessellate = {};     ///< for tests, in place of tessellate_for_picture()
+  std::filesystem::path program = "/proc/self/exe";  ///< writes files beside the window
+  Tessellate tessellate = {};  ///< for tests, in place of tessellate_for_picture()
 };
 
 /// How this viewer tessellates.
@@ -113,7 +114,7 @@ class Model {
 
   bool playing = false;
 
-  /// A parameter goes to and fro between its ends; nothing: none does.
+  /// A parameter goes from end to end, in the view's manner; nothing: none does.
   void play(const std::optional<ParameterPlace>& parameter);
   const std::optional<ParameterPlace>& played() const { return played_; }
 
@@ -121,6 +122,7 @@ class Model {
   void frame();
   void advance_time(double seconds);
   void advance_played(double seconds);
+  double advance_phase(double share);
   void request_meshes(Manner manner);
   void record(const std::string& what, bool has_camera);
   void restore(std::optional<PastState> step);

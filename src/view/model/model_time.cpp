@@ -16,6 +16,9 @@ constexpr std::chrono::milliseconds kTellAgain{500};
 /// Seconds of a parameter that plays, there and back.
 constexpr double kToAndFro = 6;
 
+/// The share of it at which the other end is reached.
+constexpr double kThere = 0.5;
+
 }  // namespace
 
 void Model::pass(Clock::time_point now) {
@@ -47,17 +50,29 @@ void Model::play(const std::optional<ParameterPlace>& parameter) {
   record("", false);
   const Slider ends = slider_in(scene_, *parameter);
   phase_ = std::clamp((*value - ends.min) / (ends.max - ends.min), 0.0, 1.0) / 2;
+  if (view_.manner != PlayManner::ToAndFro && phase_ >= kThere) phase_ = 0;
+}
+
+/// Goes on in the manner of the view; the share of the way from end to end.
+double Model::advance_phase(double share) {
+  phase_ += share;
+  if (view_.manner == PlayManner::Once) {
+    phase_ = std::min(phase_, kThere);
+    return phase_ / kThere;
+  }
+  const double round = view_.manner == PlayManner::Again ? kThere : 1;
+  phase_ -= round * std::floor(phase_ / round);
+  return phase_ <= kThere ? phase_ / kThere : (1 - phase_) / kThere;
 }
 
 void Model::advance_played(double seconds) {
   Definition* const definition = find_definition(scene_, *played_);
   if (definition == nullptr || !plain_number(*definition)) return played_.reset();
   const Slider ends = slider_in(scene_, *played_);
-  phase_ += view_.speed * seconds / kToAndFro;
-  phase_ -= std::floor(phase_);
-  const double place = 1 - std::abs(1 - 2 * phase_);
+  const double place = advance_phase(view_.speed * seconds / kToAndFro);
   definition->text = rounded_text(ends.min + place * (ends.max - ends.min), ends, kPlayedSteps);
   request_meshes(keeps_up() ? Manner::InTurn : Manner::PreviewFirst);
+  if (view_.manner == PlayManner::Once && phase_ >= kThere) played_.reset();
 }
 
 std::optional<Model::Clock::time_point> Model::next_pass() const {

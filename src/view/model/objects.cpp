@@ -25,6 +25,18 @@ bool is_taken(const Scene& scene, const std::string& name) {
          std::ranges::find(scene.points, name, &PointSpec::name) != scene.points.end();
 }
 
+void draw_circle(CurveSpec& curve) {
+  curve.x = "cos(2*pi*s)";
+  curve.y = "sin(2*pi*s)";
+  curve.z = "0";
+  curve.s = CurveSpec{}.s;
+}
+
+/// "(0+2*pi)/2"
+std::string middle_of(const Range& range) {
+  return "(" + range.min + "+" + range.max + ")/2";
+}
+
 }  // namespace
 
 std::string free_name(const Scene& scene, const std::string& name) {
@@ -50,9 +62,7 @@ void add_surface(Scene& scene) {
 void add_curve(Scene& scene) {
   CurveSpec curve;
   curve.name = free_name(scene, curve.name);
-  curve.x = "cos(2*pi*s)";
-  curve.y = "sin(2*pi*s)";
-  curve.z = "0";
+  draw_circle(curve);
   scene.curves.push_back(std::move(curve));
 }
 
@@ -61,6 +71,33 @@ void add_point(Scene& scene) {
   point.name = free_name(scene, point.name);
   point.at = Vector(0, 0, 1);
   scene.points.push_back(std::move(point));
+}
+
+bool is_on_surface(const StrokeSpec& stroke) {
+  return !stroke.on.empty() || !stroke.u.empty() || !stroke.v.empty();
+}
+
+void put_on(const Scene& scene, CurveSpec& curve, const std::string& surface) {
+  curve.on = curve.u = curve.v = curve.x = curve.y = curve.z = curve.xyz = "";
+  const auto spec = std::ranges::find(scene.surfaces, surface, &SurfaceSpec::name);
+  if (spec == scene.surfaces.end()) return draw_circle(curve);
+  curve.on = surface;
+  curve.u = "s";
+  curve.v = middle_of(spec->v);
+  curve.s = spec->u;
+}
+
+void put_on(const Scene& scene, PointSpec& point, const std::string& surface) {
+  point.on = point.u = point.v = "";
+  point.at.reset();
+  const auto spec = std::ranges::find(scene.surfaces, surface, &SurfaceSpec::name);
+  if (spec == scene.surfaces.end()) {
+    point.at = Vector(0, 0, 1);
+    return;
+  }
+  point.on = surface;
+  point.u = middle_of(spec->u);
+  point.v = middle_of(spec->v);
 }
 
 void add_parameter(Scene& scene, const std::string& name) {

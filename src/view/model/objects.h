@@ -15,6 +15,12 @@ void add_surface(Scene& scene);
 void add_curve(Scene& scene);
 void add_point(Scene& scene);
 
+/// A curve or point has u and v there, another one x, y and z.
+bool is_on_surface(const StrokeSpec& stroke);
+/// To the middle of the surface of this name, from wherever it was; into space if it is empty.
+void put_on(const Scene& scene, CurveSpec& curve, const std::string& surface);
+void put_on(const Scene& scene, PointSpec& point, const std::string& surface);
+
 /// `name`, or the first of "name 2", "name 3" ... that no object of the scene has.
 std::string free_name(const Scene& scene, const std::string& name);
 

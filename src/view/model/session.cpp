@@ -109,14 +109,18 @@ fs::path Session::own_work() const {
   return directory_ / (kWork + std::to_string(getpid()) + kWorkExtension);
 }
 
-void Session::keep_work(const std::string& text) {
-  if (directory_.empty() || text == kept_ || text.size() > kMostBytes) return;
+std::string Session::keep_work(const std::string& text) {
+  if (directory_.empty()) return "neither XDG_STATE_HOME nor HOME names a folder";
+  if (text == kept_) return "";
+  if (text.size() > kMostBytes) return "the scene is larger than 1 MiB";
   try {
     fs::create_directories(directory_);
     write_file_whole(own_work(), [&](std::ostream& out) { out << text; });
     kept_ = text;
     thin_out();
-  } catch (const std::exception&) {
+    return "";
+  } catch (const std::exception& error) {
+    return error.what();
   }
 }
 

@@ -13,8 +13,8 @@ namespace saddle {
 /// Source: freedesktop.org, "XDG Base Directory Specification", 0.8, 2021.
 std::filesystem::path state_directory();
 
-/// All of it is a convenience: a directory that cannot be read or written is as good as an empty
-/// one.
+/// A directory that cannot be read or written is as good as an empty one, but for work that is
+/// lost.
 class Session {
  public:
   explicit Session(std::filesystem::path directory = state_directory());
@@ -24,8 +24,9 @@ class Session {
   /// Puts a file before the others.
   void remember_file(const std::filesystem::path& path);
 
-  /// Keeps a scene file's text as this window's unsaved work, in place of the one before.
-  void keep_work(const std::string& text);
+  /// Keeps a scene file's text as this window's unsaved work, in place of the one before. Returns
+  /// why it cannot be kept, empty if it is.
+  std::string keep_work(const std::string& text);
   /// All is saved: there is none of this window's.
   void forget_work();
 

@@ -7,6 +7,9 @@
 
 namespace saddle {
 
+/// How a parameter that plays goes between its ends.
+enum class PlayManner { ToAndFro, Again, Once };
+
 /// How the window shows a scene, beside what the scene says.
 struct ViewState {
   bool grid = true;  ///< grid lines
@@ -15,7 +18,8 @@ struct ViewState {
   bool turntable = false;   ///< a hand turns on a table, not on a ball
   dvec3 table_up{0, 0, 1};  ///< the table's axis
   double speed = 1;         ///< of t, in that of the animation's film
-  LightSetups lights;       ///< which setup is shown
+  PlayManner manner = PlayManner::ToAndFro;
+  LightSetups lights;  ///< which setup is shown
 
   bool operator==(const ViewState&) const = default;
 };

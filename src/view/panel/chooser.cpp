@@ -9,6 +9,7 @@
 #include <imgui_stdlib.h>
 
 #include "view/panel/fields.h"
+#include "view/panel/widgets.h"
 
 namespace saddle {
 namespace {
@@ -76,7 +77,7 @@ bool Chooser::show_choice(const Choice& choice, bool is_selected) const {
   if (choice.detail.empty()) return pressed;
   ImGui::SameLine(std::max(ImGui::CalcTextSize(choice.name.c_str()).x + ImGui::GetFontSize(),
                            11 * ImGui::GetFontSize()));
-  ImGui::TextDisabled("%s", choice.detail.c_str());
+  ImGui::TextDisabled("%s", shortened(choice.detail, ImGui::GetContentRegionAvail().x).c_str());
   return pressed;
 }
 

@@ -30,6 +30,7 @@ void show_picked(const Model& model) {
 
 void show_figures(const Model& model, const Figures& figures) {
   for (const auto& surface : model.meshes()) {
+    if (surface->mesh.triangles.empty()) continue;  // a line or a dot
     const MeshReport& report = surface->report;
     show_wrapped(Tone::Quiet, formatted("%zu triangles, %zu evaluations",
                                         surface->mesh.triangles.size(), report.evaluations));

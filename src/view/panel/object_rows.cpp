@@ -1,5 +1,6 @@
 #include "view/panel/object_rows.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -148,9 +149,20 @@ void show_surface(Desk& desk, std::size_t i) {
   if (more()) surface_fields(desk, i);
 }
 
-/// A curve or point that is on a surface has u and v, another one its place.
-bool is_on_surface(const StrokeSpec& stroke) {
-  return !stroke.u.empty() || !stroke.v.empty();
+constexpr const char* kInSpace = "in space";
+
+/// The choice between space and the surfaces; the name of what was chosen.
+std::optional<std::string> place_field(const Desk& desk, const StrokeSpec& stroke) {
+  std::vector<std::string> places{kInSpace};
+  for (const SurfaceSpec& spec : desk.scene().surfaces) places.push_back(spec.name);
+  std::string now = kInSpace;
+  if (is_on_surface(stroke)) now = stroke.on.empty() && places.size() > 1 ? places[1] : stroke.on;
+  const auto chosen = word_field("on", now, places);
+  return chosen && *chosen != now ? chosen : std::nullopt;
+}
+
+std::string surface_of(const std::string& place) {
+  return place == kInSpace ? "" : place;
 }
 
 void show_curve(Desk& desk, std::size_t i) {
@@ -160,6 +172,9 @@ void show_curve(Desk& desk, std::size_t i) {
     if (!changed) return;
     desk.edit(curve.name + name, [&](Scene& scene) { scene.curves[i].*text = *changed; });
   };
+  if (const auto place = place_field(desk, curve)) {
+    return desk.edit("", [&](Scene& scene) { put_on(scene, scene.curves[i], surface_of(*place)); });
+  }
   if (is_on_surface(curve)) {
     formula("u", &CurveSpec::u);
     formula("v", &CurveSpec::v);
@@ -182,6 +197,9 @@ void show_point(Desk& desk, std::size_t i) {
     if (!changed) return;
     desk.edit(point.name + name, [&](Scene& scene) { scene.points[i].*text = *changed; });
   };
+  if (const auto place = place_field(desk, point)) {
+    return desk.edit("", [&](Scene& scene) { put_on(scene, scene.points[i], surface_of(*place)); });
+  }
   if (is_on_surface(point)) {
     on_surface("u", &PointSpec::u);
     on_surface("v", &PointSpec::v);

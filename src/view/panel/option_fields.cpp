@@ -14,7 +14,8 @@ namespace saddle {
 namespace {
 
 /// Keys with rows of their own, and those that are the window's.
-constexpr std::array<std::string_view, 8> kShown{"x", "y", "z", "xyz", "u", "v", "s", "visible"};
+constexpr std::array<std::string_view, 9> kShown{"x", "y", "z",  "xyz",    "u",
+                                                 "v", "s", "on", "visible"};
 constexpr std::array<std::string_view, 3> kOfWindow{"size", "antialias", "t"};
 
 bool is_in(const auto& names, std::string_view name) {

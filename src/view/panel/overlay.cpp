@@ -13,6 +13,9 @@ constexpr ImU32 kMarkRim = IM_COL32(0, 0, 0, 255);
 /// Lines of a message; the rest of a longer one is left out.
 constexpr std::size_t kMostLines = 12;
 
+/// Letters in a window that is low, as a share of their size.
+constexpr float kSmallest = 0.5F;
+
 std::string first_lines(const std::string& text) {
   std::size_t end = 0;
   for (std::size_t line = 0; line < kMostLines; ++line) {
@@ -35,6 +38,12 @@ void show_text(const char* id, const std::string& text, const ImVec2& place, con
   if (ImGui::Begin(id, nullptr, kFlags)) {
     // Carets and columns want letters of one width: the last font.
     ImGui::PushFont(ImGui::GetIO().Fonts->Fonts.back());
+    // Smaller letters where there is no room for all lines.
+    ImGui::SetWindowFontScale(1);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float height = ImGui::GetIO().DisplaySize.y - 3 * ImGui::GetStyle().WindowPadding.y;
+    const float share = size.y > height ? std::min(height / size.y, width / size.x) : 1;
+    ImGui::SetWindowFontScale(std::clamp(share, kSmallest, 1.0F));
     ImGui::PushTextWrapPos(width);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();

@@ -192,14 +192,14 @@ void Panel::show(Model& model, const Figures& figures, double width) {
   ImGui::SetNextWindowSize({static_cast<float>(width), ImGui::GetIO().DisplaySize.y});
   constexpr ImGuiWindowFlags kFixed =
       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
-      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_MenuBar |
+      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_MenuBar |
       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
   Desk desk{model, is_confirmed_, std::nullopt, std::nullopt, can_};
   ImGui::Begin("panel", nullptr, kFixed);
   action_ = show_menus(can_, [&](Action action) { return is_on(model, action); });
   const float height = ImGui::GetContentRegionAvail().y - errors_height(desk);
   ImGui::BeginChild("##list", {0, std::max(1.0F, height)}, false,
-                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysVerticalScrollbar);
+                    ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_AlwaysVerticalScrollbar);
   show_list(desk, figures);
   ImGui::EndChild();
   show_errors(desk);

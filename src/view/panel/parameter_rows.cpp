@@ -71,6 +71,37 @@ void show_choices(Desk& desk, const ParameterRow& row, const std::vector<std::st
   ImGui::EndCombo();
 }
 
+/// The names of manners, in their order.
+const std::vector<std::string>& manner_names() {
+  static const std::vector<std::string> names{"to and fro", "again and again", "once"};
+  return names;
+}
+
+/// The step of a slider and the manner of playing, in a window of their own.
+void show_manner(Desk& desk, const ParameterRow& row, const Slider& ends) {
+  if (!ImGui::BeginPopup("##how")) return;
+  constexpr float kLetters = 14;
+  ImGui::Dummy({kLetters * ImGui::GetFontSize(), 0});
+  const std::string step = ends.step > 0 ? format_number(ends.step) : "";
+  if (const auto text = text_field("step", step, false, "round")) {
+    double number = 0;
+    const auto [rest, error] = std::from_chars(text->data(), text->data() + text->size(), number);
+    const bool is_number = error == std::errc() && rest == text->data() + text->size();
+    if (text->empty() || (is_number && number >= 0 && std::isfinite(number))) {
+      desk.edit(row.what + "step",
+                [&](Scene& scene) { slider_in(scene, row.place).step = number; });
+    }
+  }
+  ViewState view = desk.model.view();
+  const std::string& manner = manner_names()[static_cast<std::size_t>(view.manner)];
+  if (const auto other = word_field("plays", manner, manner_names())) {
+    const auto found = std::ranges::find(manner_names(), *other) - manner_names().begin();
+    view.manner = static_cast<PlayManner>(found);
+    desk.model.change_view(view, "");
+  }
+  ImGui::EndPopup();
+}
+
 /// From end to end, in round steps.
 void show_slider(Desk& desk, const ParameterRow& row, double number) {
   const Slider ends = slider_of(desk.scene(), row.place, number);
@@ -90,13 +121,18 @@ void show_slider(Desk& desk, const ParameterRow& row, double number) {
       definition_in(scene, row.place).text = text;
     });
   }
+  bool asks = ImGui::IsItemClicked(ImGuiMouseButton_Right);
+  show_tip("right click: its step, and how it plays");
   ImGui::SameLine();
   show_end(desk, row, "##max", high, &Slider::max);
   ImGui::SameLine();
   const bool plays = desk.model.played() == row.place;
-  if (icon_button(plays ? Icon::Stop : Icon::Play, "to and fro between the ends")) {
+  if (icon_button(plays ? Icon::Stop : Icon::Play, "from end to end; right click: how")) {
     desk.model.play(plays ? std::nullopt : std::optional(row.place));
   }
+  asks = asks || ImGui::IsItemClicked(ImGuiMouseButton_Right);
+  if (asks) ImGui::OpenPopup("##how");
+  show_manner(desk, row, ends);
 }
 
 void show_definition(Desk& desk, const ParameterRow& row) {

@@ -61,7 +61,7 @@ bool show_entry(const StartPage& page, std::size_t entry) {
   ImGui::BeginGroup();
   const bool pressed = ImGui::InvisibleButton(name.c_str(), size);
   const bool is_selected = entry == page.selected;
-  if (ImGui::IsItemHovered()) show_tip(std::string(gallery()[entry].description));
+  if (ImGui::IsItemHovered()) show_tip(name + ": " + std::string(gallery()[entry].description));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{corner.x + size.x, corner.y + size.y};
   list.AddRectFilled(corner, end, IM_COL32_BLACK);
@@ -71,9 +71,8 @@ bool show_entry(const StartPage& page, std::size_t entry) {
   }
   const ImGuiCol rim = is_selected ? ImGuiCol_NavHighlight : ImGuiCol_Border;
   list.AddRect(corner, end, ImGui::GetColorU32(rim), 0, 0, is_selected ? 3.0F : 1.0F);
-  list.PushClipRect({corner.x, end.y}, {end.x, end.y + ImGui::GetTextLineHeightWithSpacing()});
-  list.AddText({corner.x, end.y + 2}, ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
-  list.PopClipRect();
+  list.AddText({corner.x, end.y + 2}, ImGui::GetColorU32(ImGuiCol_Text),
+               shortened(name, size.x).c_str());
   ImGui::Dummy({size.x, ImGui::GetTextLineHeight()});
   ImGui::EndGroup();
   return pressed;

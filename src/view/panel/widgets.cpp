@@ -11,9 +11,19 @@
 namespace saddle {
 namespace {
 
-const ImVec4 kWrong{1.0F, 0.45F, 0.4F, 1};
-const ImVec4 kWarning{1.0F, 0.75F, 0.35F, 1};
-const ImVec4 kQuiet{0.65F, 0.65F, 0.7F, 1};
+/// Letters on a dark ground and on a light one: at least 4.5 times as bright or dark as it is.
+struct Inks {
+  ImVec4 wrong;
+  ImVec4 warning;
+  ImVec4 quiet;
+};
+const Inks kOnDark{{1.0F, 0.45F, 0.4F, 1}, {1.0F, 0.75F, 0.35F, 1}, {0.65F, 0.65F, 0.7F, 1}};
+const Inks kOnLight{{0.7F, 0.1F, 0.1F, 1}, {0.5F, 0.3F, 0.0F, 1}, {0.3F, 0.3F, 0.35F, 1}};
+
+const Inks& inks() {
+  constexpr float kMiddle = 0.5F;
+  return ImGui::GetStyleColorVec4(ImGuiCol_WindowBg).x < kMiddle ? kOnDark : kOnLight;
+}
 
 /// Characters on each side of a wrong place that are shown of a long line.
 constexpr std::size_t kAround = 12;
@@ -21,11 +31,11 @@ constexpr std::size_t kAround = 12;
 ImVec4 color_of(Tone tone) {
   switch (tone) {
     case Tone::Quiet:
-      return kQuiet;
+      return inks().quiet;
     case Tone::Wrong:
-      return kWrong;
+      return inks().wrong;
     case Tone::Warning:
-      return kWarning;
+      return inks().warning;
     case Tone::Plain:
       break;
   }
@@ -44,13 +54,13 @@ void show_place(const Place& place) {
   ImGui::TextUnformatted(before.c_str());
   ImGui::SameLine(0, 0);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  ImGui::PushStyleColor(ImGuiCol_Text, kWrong);
+  ImGui::PushStyleColor(ImGuiCol_Text, inks().wrong);
   ImGui::TextUnformatted(wrong.c_str());
   ImGui::PopStyleColor();
   const ImVec2 size = ImGui::CalcTextSize(wrong.c_str());
   ImGui::GetWindowDrawList()->AddLine({corner.x, corner.y + size.y},
                                       {corner.x + size.x, corner.y + size.y},
-                                      ImGui::GetColorU32(kWrong), 1.5F);
+                                      ImGui::GetColorU32(inks().wrong), 1.5F);
   ImGui::SameLine(0, 0);
   ImGui::TextUnformatted(text.substr(end, kAround).c_str());
 }
@@ -114,9 +124,19 @@ std::optional<std::string> text_field(const std::string& label, const std::strin
   ImGui::PushID(label.c_str());
   show_label(label);
   std::string now = text;
-  if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, kWrong);
+  const float width = ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::BeginGroup();
+  if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, inks().wrong);
   const bool changed = ImGui::InputTextWithHint("##text", hint.c_str(), &now);
   if (wrong) ImGui::PopStyleColor();
+  // One line shows a part of a long formula: all of it stands below while it is edited.
+  const bool is_long = ImGui::CalcTextSize(now.c_str()).x > width;
+  if (is_long && ImGui::IsItemActive()) {
+    show_wrapped(Tone::Quiet, now);
+  } else if (is_long) {
+    show_tip(now);
+  }
+  ImGui::EndGroup();
   ImGui::PopID();
   return changed ? std::optional(now) : std::nullopt;
 }
@@ -126,7 +146,7 @@ std::optional<std::string> bare_field(const char* id, const std::string& text, f
   const float width = letters * ImGui::GetFontSize() / 2 + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetNextItemWidth(letters > 0 ? width : -1);
   std::string now = text;
-  if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, kWrong);
+  if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, inks().wrong);
   const bool changed = ImGui::InputText(id, &now);
   if (wrong) ImGui::PopStyleColor();
   return changed ? std::optional(now) : std::nullopt;
@@ -179,6 +199,17 @@ void show_error(const Error& error) {
   show_place(error.place());
   show_wrapped(Tone::Wrong, error.what());
   if (!error.hint().empty()) show_wrapped(Tone::Quiet, error.hint());
+}
+
+std::string shortened(const std::string& text, float width) {
+  constexpr const char* kRest = "…";
+  std::string part = text;
+  const auto is_wide = [&](const std::string& all) {
+    return ImGui::CalcTextSize(all.c_str()).x > width;
+  };
+  if (!is_wide(part)) return part;
+  while (!part.empty() && is_wide(part + kRest)) part.pop_back();
+  return part + kRest;
 }
 
 std::string for_panel(const std::string& sentence) {

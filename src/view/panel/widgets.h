@@ -43,6 +43,9 @@ float icons_width(int count);
 /// The wrong part of the error's text, the message and the hint.
 void show_error(const Error& error);
 
+/// ASCII text, with "…" in place of what is wider than so many pixels.
+std::string shortened(const std::string& text, float width);
+
 /// A sentence with the panel's fields in place of the command line's options: "clip off" for
 /// "--clip off".
 std::string for_panel(const std::string& sentence);

@@ -17,6 +17,9 @@ constexpr double kCoarsest = 0.125;
 /// The first picture, of which nothing is known, has at most so many samples.
 constexpr double kFirstSamples = 1e6;
 
+/// Growth of a picture's area, from frame to frame, that makes it coarser.
+constexpr double kMuchLarger = 1.5;
+
 /// Parts of a picture that rests, in pixels each way. They are smaller if one takes longer than
 /// this: a key waits for it; larger if all are quicker than that: each part takes all corners of
 /// the mesh.
@@ -123,6 +126,13 @@ void Drawing::draw_whole(const Model& model) {
     per_side_ = 1;
     while (per_side_ * per_side_ * picture.width * picture.height > kFirstSamples) per_side_ /= 2;
   }
+  // A larger window does not get more samples before it is known how long they take.
+  const double pixels = double(picture.width) * picture.height;
+  while (pixels_ > 0 && pixels > kMuchLarger * pixels_ && per_side_ > kCoarsest) {
+    per_side_ /= 2;
+    pixels_ *= 4;
+  }
+  pixels_ = pixels;
   const double per_side = std::min(per_side_, most);
   const Scene scene = model.drawn_scene();
   const FittedCamera camera = model.grip().fitted;

@@ -88,6 +88,7 @@ class Drawing {
   bool is_new_ = true;  ///< shaders may have to be compiled
   Stage stage_ = Stage::Stale;
   double per_side_ = 0;  ///< samples of what moves, per pixel and side; 0: none was drawn yet
+  double pixels_ = 0;    ///< of the last picture that was drawn at once
   Cursor cursor_;
   int part_side_;  ///< of a part, which is a square unless the picture ends, in pixels
   Clock::time_point moved_;

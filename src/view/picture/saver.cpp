@@ -19,10 +19,8 @@
 #include "view/model/model.h"
 
 namespace saddle {
-namespace {
 
-/// "torus.png", or the first of "torus-2.png" ... that does not exist.
-std::filesystem::path free_name(const std::string& title, const std::string& extension) {
+std::filesystem::path free_file_name(const std::string& title, const std::string& extension) {
   std::string stem;
   for (const char c : title) {
     const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
@@ -35,6 +33,8 @@ std::filesystem::path free_name(const std::string& title, const std::string& ext
   }
   return path;
 }
+
+namespace {
 
 /// The scene's picture and nothing else: no normals, no wires.
 Image draw_meshed(const Meshed& meshed) {
@@ -49,7 +49,7 @@ Image draw_meshed(const Meshed& meshed) {
 
 std::string write(const Scene& scene, const char* extension,
                   const std::function<void(std::ostream&)>& content) {
-  const auto path = free_name(scene.title, extension);
+  const auto path = free_file_name(scene.title, extension);
   write_file_whole(path, content);
   return "saved " + path.string();
 }
@@ -68,7 +68,7 @@ std::string write_page_of(const Meshed& meshed) {
 }  // namespace
 
 std::filesystem::path save_scene(const Scene& scene) {
-  auto path = free_name(scene.title, ".toml");
+  auto path = free_file_name(scene.title, ".toml");
   const std::string text = write_scene(scene);
   write_file_whole(path, [&](std::ostream& out) { out << text; });
   return path;

@@ -15,6 +15,9 @@
 
 namespace saddle {
 
+/// "torus.png" of a title and ".png", or the first of "torus-2.png" ... that does not exist.
+std::filesystem::path free_file_name(const std::string& title, const std::string& extension);
+
 /// Writes a scene file: TITLE.toml, or the first of TITLE-2.toml ... that does not exist. Returns
 /// its name. Throws Error (Machine) if it cannot be written.
 std::filesystem::path save_scene(const Scene& scene);

@@ -38,6 +38,9 @@ std::string name_of_key(int key, int mods) {
     const char* const name = glfwGetKeyName(key, 0);
     if (name == nullptr) return "";
     std::string letter(name);
+    // Greek and Cyrillic keyboards have no such letter: the place of the key has.
+    const bool is_foreign = static_cast<unsigned char>(letter.front()) > 0x7F;
+    if (is_foreign && key >= GLFW_KEY_A && key <= GLFW_KEY_Z) letter = static_cast<char>(key);
     for (char& c : letter) {
       if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
     }

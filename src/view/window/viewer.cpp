@@ -50,6 +50,7 @@ Viewer::Viewer(ViewerSetup setup)
       start_shown_(setup.start),
       to_paint_(kSettlingFrames),
       saver_(tessellation_of(setup), Window::wake),
+      exporter_(setup.program, setup.threads, Window::wake),
       model_(std::move(setup), Window::wake) {
   has_work_ = session_.left_work().has_value();
   if (has_work_ && !start_shown_) say("the last time ended with unsaved work: File, Unsaved work");
@@ -88,6 +89,7 @@ void Viewer::react() {
   }
   if (const auto news = model_.take_news()) say(*news);
   if (const auto news = saver_.pass()) say(*news);
+  if (const auto news = exporter_.pass()) say(*news);
   model_.pass(Clock::now());
   look_at_file();
 }
@@ -95,12 +97,12 @@ void Viewer::react() {
 /// A file that was asked for is waited for; who asks to end once more does not want to.
 bool Viewer::is_to_end() {
   if (window_.take_close_request()) act(Action::Quit);
-  return closing_ && (insisting_ || !saver_.is_busy());
+  return closing_ && (insisting_ || !is_writing());
 }
 
 bool Viewer::is_at_rest() const {
   return to_paint_ == 0 && !window_.has_events() && !model_.is_meshing() && !model_.next_pass() &&
-         (start_shown_ ? !is_drawing_thumbnails_ : drawing_.is_at_rest()) && !saver_.is_busy();
+         (start_shown_ ? !is_drawing_thumbnails_ : drawing_.is_at_rest()) && !is_writing();
 }
 
 void Viewer::print_times() const {
@@ -257,6 +259,7 @@ void Viewer::paint() {
   if (to_paint_ == 0) return;
   --to_paint_;
   if (std::exchange(title_, model_.scene().title) != title_) window_.set_title(title_);
+  window_.set_light(!start_shown_ && model_.scene().theme != Theme::Dark);
   window_.begin_panel();
   show_panels();
   show_overlay(overlay());

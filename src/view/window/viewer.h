@@ -17,6 +17,7 @@
 #include "view/panel/panel.h"
 #include "view/panel/start_page.h"
 #include "view/picture/drawing.h"
+#include "view/picture/exporter.h"
 #include "view/picture/saver.h"
 #include "view/picture/thumbnails.h"
 #include "view/window/window.h"
@@ -77,10 +78,13 @@ class Viewer {
   void list_actions();
   void list_gallery();
   void list_files();
+  void list_exports();
+  void write_file(const Export& file);
   void show_scene(Scene scene, std::function<Scene()> reload);
   void open(const std::filesystem::path& path);
   void restore_work();
   void keep_work(bool now);
+  bool is_writing() const { return saver_.is_busy() || exporter_.is_busy(); }
   void look_at_file();
   dvec2 in_picture(const dvec2& place) const { return {place.x - panel_width(), place.y}; }
   bool is_over_picture(const Event& event) const;
@@ -113,7 +117,8 @@ class Viewer {
   std::size_t kept_ = 0;   ///< whose scene is kept as work
   std::size_t saved_ = 0;  ///< whose scene is in a file
   Clock::time_point changed_;
-  std::string title_;  ///< the window's
+  std::string not_kept_;  ///< why work is not kept; empty: it is
+  std::string title_;     ///< the window's
   std::size_t paints_ = 0;
   Clock::duration busy_{};     ///< from what happened to the screen
   Clock::duration showing_{};  ///< of that, copying pictures to the window, with the panel
@@ -129,6 +134,7 @@ class Viewer {
   Clock::time_point message_end_;
   // The last members: their threads wake the window.
   Saver saver_;
+  Exporter exporter_;
   Model model_;
 };
 

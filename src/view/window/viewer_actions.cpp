@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "export/formats/load_scene.h"
 #include "scene/model/gallery.h"
 #include "scene/options/command_text.h"
@@ -63,7 +64,7 @@ bool Viewer::act_on_window(Action action) {
     case Action::Quit:
       insisting_ = closing_;
       closing_ = true;
-      if (saver_.is_busy()) say("saving; quit again to leave without the file");
+      if (is_writing()) say("writing a file; quit again to leave without it");
       return true;
     default:
       return false;
@@ -98,6 +99,9 @@ bool Viewer::act_on_files(Action action) {
       session_.forget_work();
       return true;
     }
+    case Action::Export:
+      list_exports();
+      return true;
     case Action::CopyCommand:
     case Action::CopyScene:
       copy(action);
@@ -179,6 +183,24 @@ void Viewer::list_files() {
   });
 }
 
+/// The first of each format's names, or what was typed.
+void Viewer::list_exports() {
+  chooser_.open("a file to write, such as torus.glb", "", [this](const std::string& query) {
+    std::vector<Choice> choices;
+    for (const ExportChoice& each : export_choices(model_.scene().title, query)) {
+      const bool is_possible = !each.needs_movement || can(Action::Play);
+      choices.push_back(
+          {each.name, each.detail, is_possible, [this, each] { write_file(each.file); }});
+    }
+    return choices;
+  });
+}
+
+void Viewer::write_file(const Export& file) {
+  exporter_.write(model_.scene_to_save(), file);
+  say("writing " + file.path.string());
+}
+
 // --- scenes
 
 /// In place of the one that is shown, which undo() brings back.
@@ -205,15 +227,15 @@ void Viewer::open(const std::filesystem::path& path) {
 void Viewer::restore_work() {
   const auto path = session_.left_work();
   if (!path) return say("there is no unsaved work");
-  show_scene(load_scene(*path), {});
+  show_scene(read_draft({*path, read_file(*path)}), {});
   kept_ = saved_ = kNever;
   std::error_code ignored;
   std::filesystem::remove(*path, ignored);
   has_work_ = session_.left_work().has_value();
 }
 
-/// Keeps what was changed and is not saved, some time after the last change, or `now`. A scene with
-/// a mistake could not be read again.
+/// Keeps what was changed and is not saved, some time after the last change, or `now`: mistakes,
+/// too, but no scene without anything in it.
 void Viewer::keep_work(bool now) {
   const std::size_t version = model_.history().version();
   if (version != seen_) changed_ = Clock::now();
@@ -221,7 +243,11 @@ void Viewer::keep_work(bool now) {
   if (kept_ == version || (!now && Clock::now() < changed_ + kKeep)) return;
   kept_ = version;
   if (version == saved_) return session_.forget_work();
-  if (!model_.error()) session_.keep_work(write_scene(model_.scene_to_save()));
+  const Scene& scene = model_.scene();
+  if (scene.surfaces.empty() && scene.curves.empty() && scene.points.empty()) return;
+  const std::string why = session_.keep_work(write_scene(model_.scene_to_save()));
+  const bool is_news = why != std::exchange(not_kept_, why) && !why.empty();
+  if (is_news) say("unsaved work is not kept: " + why + "\nS saves the scene here");
 }
 
 // --- the start page

@@ -305,6 +305,19 @@ void Window::set_clipboard(const std::string& text) {
   glfwSetClipboardString(window_, text.c_str());
 }
 
+void Window::set_light(bool is_light) {
+  if (is_light == std::exchange(is_light_, is_light)) return;
+  ImGuiStyle& style = ImGui::GetStyle();
+  if (is_light) {
+    ImGui::StyleColorsLight();
+    style.Colors[ImGuiCol_TextDisabled] = {0.4F, 0.4F, 0.4F, 1};
+    style.Colors[ImGuiCol_PopupBg] = style.Colors[ImGuiCol_WindowBg];
+  } else {
+    ImGui::StyleColorsDark();
+  }
+  style.FrameBorderSize = is_light ? std::round(static_cast<float>(scale_)) : 0;
+}
+
 void Window::begin_panel() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();

@@ -53,6 +53,9 @@ class Window {
   void toggle_full_screen();
   void set_clipboard(const std::string& text);
 
+  /// The panel is light, with dark letters, or dark.
+  void set_light(bool is_light);
+
   /// Around what Dear ImGui is told to show.
   void begin_panel();
   void end_panel();
@@ -68,6 +71,7 @@ class Window {
 
   GLFWwindow* window_ = nullptr;
   double scale_ = 1;
+  bool is_light_ = false;
   std::deque<Event> events_;
   dvec2 pointer_{0, 0};  ///< where events have brought it; GLFW tells where it is by now
   bool is_inside_ = false;

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -82,6 +83,19 @@ TEST(Child, WritesToAFileWithoutANameThatItInherits) {
   std::ostringstream text;
   file.copy_to(text);
   EXPECT_EQ(text.str(), "one two");
+}
+
+TEST(Child, EndsWhenAnotherThreadWantsItTo) {
+  Child child({"sleep", "1000"}, "coreutils");
+  const std::jthread other([&] { child.interrupt(); });
+  EXPECT_THROW(child.finish(), Error);
+  child.interrupt();  // nothing is left to end
+}
+
+TEST(Child, TellsAllOfItsWords) {
+  Child child({"sh", "-c", "echo one >&2; echo two >&2"}, "dash");
+  child.finish();
+  EXPECT_EQ(child.words(), "one\ntwo\n");
 }
 
 TEST(Child, EndsWithItsOwner) {

@@ -344,6 +344,40 @@ TEST(Model, PlaysAParameterToAndFroAndUndoesThatAtOnce) {
   EXPECT_FALSE(model->played());
 }
 
+TEST(Model, PlaysAParameterOnceOrAgainAndAgain) {
+  PlaneModel model("1");
+  edit(model, [](Scene& scene) {
+    scene.definitions = {{"a", "1"}};
+    scene.sliders = {{"a", 0, 2}};
+    scene.surfaces[0].z = "a*u";
+  });
+  const auto play = [&](PlayManner manner) {
+    ViewState view = model->view();
+    view.manner = manner;
+    model->change_view(view, "");
+    model->play({});
+    const auto begin = Model::Clock::now();
+    model->pass(begin);  // time begins anew
+    model->play(ParameterPlace{{}, "a"});
+    std::vector<double> values;
+    for (int i = 0; i <= 125 && model->played(); ++i) {
+      model->pass(begin + i * std::chrono::milliseconds(50));
+      values.push_back(std::stod(model->scene().definitions[0].text));
+    }
+    return values;
+  };
+  const std::vector<double> once = play(PlayManner::Once);
+  EXPECT_TRUE(std::ranges::is_sorted(once));
+  EXPECT_EQ(once.back(), 2);
+  EXPECT_FALSE(model->played()) << "it has stopped at the end";
+  EXPECT_EQ(play(PlayManner::Once).front(), 0) << "from the beginning again";
+  const std::vector<double> again = play(PlayManner::Again);
+  int jumps = 0;
+  for (std::size_t i = 1; i < again.size(); ++i) jumps += again[i] < again[i - 1] ? 1 : 0;
+  EXPECT_EQ(jumps, 2) << "a little more than six seconds are twice the way";
+  EXPECT_TRUE(model->played());
+}
+
 TEST(Model, IsAsFineAsCanBeSeen) {
   PlaneModel model("1");
   for (int i = 0; i < 12; ++i) model->act(Action::Finer);
