@@ -1,7 +1,10 @@
 #include "mesh/tree/feature_count.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+
+#include <glm/geometric.hpp>
 
 #include "mesh/tree/cell_tree.h"
 
@@ -77,6 +80,54 @@ std::size_t count_cut_vertices(const Leaf& leaf, const CellTree& tree) {
   return count;
 }
 
+/// A strip's ends are at most this many times as far apart as those of the sheets beside it, or
+/// they are of two sheets: jumps that cross in the leaf change their order.
+constexpr double kMostSlant = 4;
+
+/// A side of a leaf with a feature, on the way around the leaf.
+struct CutSide {
+  EdgeFeature feature;
+  std::uint32_t from, to;
+  std::size_t strips() const { return feature.kind == FeatureKind::Jump ? feature.strips : 0; }
+};
+
+/// The strips between jumps on the sides of a leaf.
+class Strips {
+ public:
+  void add(const CutSide& side) {
+    if (count_ < sides_.size()) sides_[count_] = side;
+    ++count_;
+    has_strips_ = has_strips_ || side.strips() > 0;
+  }
+
+  bool any() const { return has_strips_; }
+
+  /// How many go from one side to the other; 0 unless all do.
+  std::size_t through(const CellTree& tree) const {
+    const auto& [first, second] = sides_;
+    if (count_ != 2 || first.strips() != second.strips()) return 0;
+    const auto& position = tree.mesh().position;
+    const auto apart = [&](std::uint32_t a, std::uint32_t b) {
+      return glm::distance(position[a], position[b]);
+    };
+    const double outside =
+        std::max(apart(first.feature.beside(first.from), second.feature.beside(second.to)),
+                 apart(first.feature.beside(first.to), second.feature.beside(second.from)));
+    for (std::size_t k = 0; k < first.strips(); ++k) {
+      const auto near = first.feature.on_strip(k, first.from);
+      const auto far = second.feature.on_strip(k, second.to);
+      const double across = std::max(apart(near[0], far[0]), apart(near[1], far[1]));
+      if (!(across <= kMostSlant * outside)) return 0;
+    }
+    return first.strips();
+  }
+
+ private:
+  std::array<CutSide, 2> sides_ = {};
+  std::size_t count_ = 0;
+  bool has_strips_ = false;
+};
+
 }  // namespace
 
 FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
@@ -85,8 +136,7 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
   std::optional<int> first_exit;  // where the surface leaves the clip box before the first cut
   std::optional<int> entry;       // and beyond the last one
   std::size_t faces = 0;
-  std::optional<std::size_t> strips;  // of the first feature
-  bool has_like_strips = true;
+  Strips strips;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     add_singular_vertex(a, tree, singular);
     const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
@@ -94,9 +144,7 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
     if (!feature) return;
     // A pole that leaves the clip box at an undefined vertex counts once.
     if (feature->kind == FeatureKind::Face && !tree.geometry().is_defined(a)) return;
-    const std::size_t own = feature->kind == FeatureKind::Jump ? feature->strips : 0;
-    if (!strips) strips = own;
-    has_like_strips = has_like_strips && own == *strips;
+    strips.add({*feature, a, b});
     const bool on_side_of_u =
         tree.vertices().place_between(a).x == tree.vertices().place_between(b).x;
     const bool has_more = tree.edges().has_more(a, b);
@@ -105,9 +153,6 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
     count.features += features;
     if (feature->kind == FeatureKind::Face) {
       const int from = feature->exit_beside(a);
-      if (strips && count.features == 2 && has_like_strips) count.strips = *strips;
-      if (strips && count.strips != *strips) count.has_more = true;
-      if (!has_like_strips) count.has_more = true;
       count.changes_face = count.changes_face || (entry && *entry != from);
       if (!first_exit) first_exit = from;
       entry = feature->exit_beside(b);
@@ -123,9 +168,10 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
     count.only_jumps =
         count.only_jumps && (feature->is_continuous() || feature->kind == FeatureKind::Jump);
   });
-  if (strips && count.features == 2 && has_like_strips) count.strips = *strips;
-  if (strips && count.strips != *strips) count.has_more = true;
-  if (!has_like_strips) count.has_more = true;
+  if (strips.any()) {
+    count.strips = count.features == 2 ? strips.through(tree) : 0;
+    count.has_more = count.has_more || count.strips == 0;
+  }
   count.changes_face = count.changes_face || entry != first_exit || faces % 2 == 1;
   count.singular_points = singular.size();
   if (count.features > 2) count.at_vertices = count_cut_vertices(leaf, tree);
