@@ -51,6 +51,16 @@ TEST_F(GraphPage, EscapesWhatWouldEndAScript) {
   EXPECT_FALSE(contains(text("a.html"), "alert(1)<"));
 }
 
+TEST_F(GraphPage, ThatIsHeavyForBrowsersIsWarnedOf) {
+  const std::string told = error_of(saddle({"z=u*v", "--samples", "510x510", "-o", "a.html"}), 0);
+  EXPECT_TRUE(contains(told, "a.html: 520200 triangles")) << told;
+  EXPECT_TRUE(contains(told, "--tolerance")) << told;
+  EXPECT_FALSE(contains(error_of(saddle({"z=u*v", "-o", "a.html"}), 0), "triangles"));
+  EXPECT_FALSE(
+      contains(error_of(saddle({"z=u*v", "--samples", "510x510", "-s", "32x24", "-o", "a.svg"}), 0),
+               "triangles"));
+}
+
 TEST_F(GraphPage, FragmentHasNoBody) {
   EXPECT_EQ(small({"torus", "--fragment", "-o", "a.html"}).status, 0);
   EXPECT_TRUE(text("a.html").starts_with("<div class=\"saddle\" data-fragment>"));

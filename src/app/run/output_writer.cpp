@@ -82,6 +82,7 @@ void OutputWriter::write_pages_of(const Shot& shot, const PageContent& content) 
   const auto begin = Clock::now();
   for (const Output& output : outputs_) {
     if (!output.is(Format::Kind::Page) || !shot.is_for(output)) continue;
+    add_losses(output, losses_of(*output.format, content));
     const auto write = [&](std::ostream& out) { output.format->write_page(out, content); };
     put({{output.path_of(shot.frame.value_or(0)), write}});
   }

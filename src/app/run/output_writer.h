@@ -114,7 +114,7 @@ class OutputWriter {
   std::vector<Shells> shells_;  ///< of the meshes at hand
   std::vector<MeshFile> mesh_files_;
   std::set<std::pair<const Output*, Loss::Kind>> known_losses_;
-  std::vector<std::string> warnings_;  ///< of files of meshes
+  std::vector<std::string> warnings_;  ///< of files of meshes, and of pages
   std::vector<Film> films_;
   double milliseconds_ = 0;  ///< of writing that the caller waits for
   WorkBehind behind_;        // the last member: it ends before what it writes to

@@ -18,6 +18,10 @@ constexpr int kToldDigits = 2;
 /// hold.
 constexpr double kHintedThickness = 0.02;
 
+/// More triangles than this are slow in a browser: without a graphics card, a torus of twice as
+/// many took Chromium nine seconds on two busy cores.
+constexpr std::size_t kMostOnPages = 500'000;
+
 /// "a", "a and b", "a, b and c".
 std::string listed(const std::vector<std::string>& words) {
   std::string text;
@@ -184,6 +188,16 @@ class LossFinder {
 
 std::vector<Loss> losses_of(const Format& format, const MeshContent& content) {
   return LossFinder(format, content).find();
+}
+
+std::vector<Loss> losses_of(const Format& format, const PageContent& content) {
+  if (!format.takes_sliders) return {};  // a figure has an image of them
+  std::size_t triangles = 0;
+  for (const Mesh& mesh : content.meshes) triangles += mesh.triangles.size();
+  if (triangles <= kMostOnPages) return {};
+  return {{Loss::Kind::Heavy, std::to_string(triangles) +
+                                  " triangles, which browsers may take seconds to show; a larger "
+                                  "--tolerance needs fewer"}};
 }
 
 double factor_of(const Format& format, const MeshContent& content) {
