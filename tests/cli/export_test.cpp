@@ -42,6 +42,7 @@ TEST_F(Export, OpensWhatItWrote) {
     done({name, "-o", "b." + format});
     EXPECT_EQ(read_file(path("b." + format)).size(), read_file(path(name)).size()) << format;
   }
+  done({"torus", "-o", "a.stl"});
   EXPECT_TRUE(contains(error_of(saddle({"a.stl", "-o", "b.png"}), 2),
                        ".stl has no room for one; these have: .png .ply .obj .glb .3mf"));
 }
