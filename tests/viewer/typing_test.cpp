@@ -61,6 +61,18 @@ TEST_F(Typing, GoesOnWhileAMessageIsShown) {
   EXPECT_FALSE(has_written_picture());
 }
 
+TEST_F(Typing, GoesFromFieldToFieldByTab) {
+  open({"z=u*v"});
+  click(700, 550);
+  act("key Tab sleep 0.3 key ctrl+a type 2*u");
+  act("key Tab sleep 0.3 key ctrl+a type 3*v");
+  act("key Tab sleep 0.3 key Tab sleep 0.3 key shift+Tab sleep 0.3 key ctrl+a type u+v");
+  EXPECT_EQ(saved_z(), "u+v");
+  const SurfaceSpec spec = load_scene(path("saddle.toml")).surfaces.at(0);
+  EXPECT_EQ(spec.x, "2*u");
+  EXPECT_EQ(spec.y, "3*v");
+}
+
 TEST_F(Typing, GoesOnAfterReturn) {
   open({"z=u*v"});
   enter_field(kFieldOfZ);

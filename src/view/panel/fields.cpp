@@ -41,6 +41,15 @@ void clear_text() {
   state.Stb.undostate.redo_char_point = STB_TEXTEDIT_UNDOCHARCOUNT;
 }
 
+void enter_next_field() {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  ImGui::FocusWindow(ImGui::GetCurrentWindow());
+  ImGui::NavMoveRequestSubmit(ImGuiDir_None, ImGuiDir_Down, ImGuiNavMoveFlags_Tabbing,
+                              ImGuiScrollFlags_KeepVisibleEdgeY);
+  context.NavTabbingDir = 1;
+  context.NavTabbingCounter = 1;
+}
+
 void leave_fields() {
   ImGui::ClearActiveID();
 }

@@ -15,6 +15,9 @@ void confirm_text();
 void clear_text();
 /// Takes the keyboard from any field.
 void leave_fields();
+/// Gives the keyboard to the first field that this window shows from here on, as Tab does: buttons
+/// before it are passed by.
+void enter_next_field();
 /// Closes lists and menus.
 void close_popups();
 

@@ -162,7 +162,7 @@ void Panel::show_time(Desk& desk) const {
 }
 
 void Panel::show_list(Desk& desk, const Figures& figures) {
-  if (std::exchange(enters_, false)) ImGui::SetKeyboardFocusHere();
+  if (std::exchange(enters_, false)) enter_next_field();
   show_surfaces(desk);
   show_curves(desk);
   show_points(desk);
