@@ -1,10 +1,9 @@
 #include "formula/js.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 
-#include "base/format.h"
 #include "formula/lower.h"
 #include "formula/operations.h"
 
@@ -39,9 +38,9 @@ std::string_view js_text(Op op) {
 std::string js_number(double value) {
   if (std::isnan(value)) return "NaN";
   if (std::isinf(value)) return value > 0 ? "(1/0)" : "(-1/0)";
-  const std::string text = formatted("%.17g", value);
-  const std::string shorter = formatted("%.15g", value);
-  const std::string& result = std::strtod(shorter.c_str(), nullptr) == value ? shorter : text;
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  const std::string result(digits.data(), end);
   return result.front() == '-' ? "(" + result + ")" : result;  // - -1 would be a decrement
 }
 

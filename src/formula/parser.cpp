@@ -39,6 +39,9 @@ class Lifter {
  public:
   Lifter(Graph& graph, const FormulaText& formula, const Names& names)
       : graph_(graph), formula_(formula), names_(names), tokens_(tokenize(formula)) {
+    call_curves(tokens_, [&](const std::string& name) {
+      return names_.function(name) != nullptr && !names_.variable(name);
+    });
     brackets_ = find_brackets(formula_, tokens_, [&](const std::string& name) {
       return (name == "sum" || name == "prod") && names_.function(name) == nullptr;
     });
@@ -145,9 +148,9 @@ class Lifter {
     for (const Step& step : steps) {
       run(step);
       if (graph_.size() <= kMaxOperations) continue;
-      throw formula_.error("the formulas grow past 100000 operations",
-                           tokens_[stack_.back().first].span,
-                           "functions that call functions multiply; use fewer levels");
+      throw formula_.error(
+          "the formulas grow past 100000 operations", tokens_[stack_.back().first].span,
+          "use fewer terms of sums, or fewer levels of functions that call functions");
     }
     const Operand result = stack_.back();
     stack_.pop_back();

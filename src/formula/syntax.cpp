@@ -1,6 +1,8 @@
 #include "formula/syntax.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -141,6 +143,27 @@ void refuse_operator(const FormulaText& formula, const std::vector<Token>& token
 const Series* Brackets::series_of(std::size_t token) const {
   const auto found = std::ranges::lower_bound(series, token, {}, &Series::name);
   return found != series.end() && found->name == token ? &*found : nullptr;
+}
+
+void call_curves(std::vector<Token>& tokens,
+                 const std::function<bool(const std::string&)>& is_helper) {
+  const auto is = [&](std::size_t i, TokenKind kind) {
+    return i < tokens.size() && tokens[i].kind == kind;
+  };
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const std::string& name = tokens[i].text;
+    const bool takes_curve = is(i, TokenKind::Name) && (name == "tube" || name == "frame");
+    if (!takes_curve || is_helper(name)) continue;
+    const bool is_bare = is(i + 1, TokenKind::Open) && is(i + 2, TokenKind::Name) &&
+                         is(i + 3, TokenKind::Comma) && is(i + 4, TokenKind::Name) &&
+                         (is(i + 5, TokenKind::Comma) || is(i + 5, TokenKind::Close));
+    if (!is_bare || !is_helper(tokens[i + 2].text)) continue;
+    const Span place = tokens[i + 2].span;
+    const std::array added = {Token{TokenKind::Open, "(", 0, place},
+                              Token{TokenKind::Name, tokens[i + 4].text, 0, place},
+                              Token{TokenKind::Close, ")", 0, place}};
+    tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 3, added.begin(), added.end());
+  }
 }
 
 Brackets find_brackets(const FormulaText& formula, const std::vector<Token>& tokens,

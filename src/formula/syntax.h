@@ -36,6 +36,11 @@ struct Brackets {
   const Series* series_of(std::size_t token) const;
 };
 
+/// Makes tube(c,u,1,v) of a helper function c into tube(c(u),u,1,v), and so for frame(c,u). The new
+/// tokens have the place of c. `is_helper`: whether a name is that of a helper function alone.
+void call_curves(std::vector<Token>& tokens,
+                 const std::function<bool(const std::string&)>& is_helper);
+
 /// `is_series`: whether a called name takes an index. Throws Error (Input): an index without a
 /// range.
 Brackets find_brackets(const FormulaText& formula, const std::vector<Token>& tokens,

@@ -33,9 +33,7 @@ constexpr std::uint64_t kBytesPerTriangle = 3000;
 /// Triangles for --max-time: a first mesh must not take longer than there is, with its checks.
 constexpr double kTrianglesPerSecond = 100'000;
 
-/// Distance of mesh and surface that no eye sees in a picture, in pixels, and what a mesh for other
-/// programs may be off by, as a share of its bounding box's diagonal.
-constexpr ToleranceValue kPictureTolerance = {0.5, true};
+/// A mesh for other programs may be off by so much, as a share of its bounding box's diagonal.
 constexpr ToleranceValue kMeshTolerance = {1e-3, false};
 /// An eye in the midst of the surface sees parts of it at any distance; nearer ones than this part
 /// of its extent, or of the target's distance, are drawn more coarsely than asked.
@@ -54,7 +52,7 @@ constexpr double kMargin = 0.5;
 std::vector<ToleranceValue> asked(const Scene& scene, const Purpose& purpose) {
   if (scene.mesh.tolerance) return {*scene.mesh.tolerance};
   std::vector<ToleranceValue> tolerances;
-  if (purpose.picture) tolerances.push_back(kPictureTolerance);
+  if (purpose.picture) tolerances.push_back({purpose.pixels, true});
   if (purpose.mesh) tolerances.push_back(kMeshTolerance);
   return tolerances;
 }

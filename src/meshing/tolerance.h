@@ -28,6 +28,9 @@ struct Moment {
 struct Purpose {
   bool picture = false;
   bool mesh = false;
+  /// Distance of mesh and surface where a picture is drawn and no tolerance is asked for: no eye
+  /// sees it at the picture's size.
+  double pixels = 0.5;
   std::vector<Moment> moments{};  ///< that the mesh is drawn at; none: the scene's own
   /// The surface is meshed with its axes stretched by these powers of two: see mesh_stretch().
   dvec3 stretch{1, 1, 1};

@@ -221,13 +221,15 @@ constexpr MessageRow kNoScenes[] = {
     {"cut.png -o a.toml", "cut.png is a damaged PNG file: ", "", ""},
     {"bare.png -o a.toml", "bare.png holds no scene",
      "a file keeps its scene until another program saves it", ""},
+    {"solid.stl -o a.toml", "solid.stl holds no scene",
+     ".stl has no room for one; these have: .png .ply .obj", ""},
     {"large.toml -o a.toml", "large.toml is larger than 4 MiB", "saddle show torus prints one",
      "show torus"},
 };
 
 TEST_F(SceneFileMessages, OfFilesWithoutAScene) {
   std::ofstream(path("plain.png")) << "no picture";
-  ASSERT_EQ(run("sphere -s 32x24 -o sphere.png").status, 0);
+  ASSERT_EQ(run("sphere -s 32x24 -o sphere.png -o solid.stl").status, 0);
   const std::string picture = read_file(path("sphere.png"));
   std::ofstream(path("cut.png")) << picture.substr(0, picture.size() / 2);
   ASSERT_EQ(run("torus -s 32x24 --reference sphere.png").status, 1);

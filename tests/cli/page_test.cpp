@@ -1,6 +1,8 @@
 // Pages and figures: what is written, what is read back, and what is refused.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "base/file.h"
 #include "cli/program.h"
 
@@ -53,6 +55,29 @@ TEST_F(GraphPage, FragmentHasNoBody) {
   EXPECT_EQ(small({"torus", "--fragment", "-o", "a.html"}).status, 0);
   EXPECT_TRUE(text("a.html").starts_with("<div class=\"saddle\" data-fragment>"));
   EXPECT_FALSE(contains(text("a.html"), "<body"));
+  EXPECT_FALSE(contains(text("a.html"), "\n\n")) << "in Markdown HTML ends at an empty line";
+}
+
+TEST_F(GraphPage, IsAsFineAsALargeScreenAndFiguresAsFineAsPrint) {
+  const auto tolerance = [this](const std::string& name) {
+    return nlohmann::json::parse(
+               saddle({"torus", "-o", name, "--report", "-"}).out)["surfaces"][0]["tolerance"]
+        .get<double>();
+  };
+  const double picture = tolerance("a.png");
+  EXPECT_NEAR(tolerance("a.html") / picture, 600.0 / 1080, 0.01);
+  EXPECT_NEAR(tolerance("a.pdf") / picture, 0.2, 0.01);
+}
+
+TEST_F(GraphPage, TellsReadersWhoDoNotSeeItWhatItShows) {
+  EXPECT_EQ(
+      small({"xyz=(cos(u),sin(u),k*v)", "u=0:tau", "k=2", "+", "mobius", "-o", "a.html"}).status,
+      0);
+  const std::string page = text("a.html");
+  EXPECT_TRUE(contains(page, "xyz = (cos(u),sin(u),k*v)   u = 0 : tau   v = -1 : 1")) << page;
+  EXPECT_TRUE(contains(page, "surface with 2 boundaries: x from -1 to 1")) << page;
+  EXPECT_TRUE(contains(page, "one-sided surface with one boundary")) << page;
+  EXPECT_TRUE(contains(page, "k = 2")) << page;
 }
 
 TEST_F(GraphPage, SlidersAreThoseOfItsParameters) {

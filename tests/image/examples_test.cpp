@@ -286,13 +286,30 @@ TEST(Examples, LightCastersReachTheMiddleBox) {
   torch.spot.emplace();
   torch.spot->cutoff = 17.5;
   torch.spot->inner = 12.5;
-  const std::vector<Light> lights = {sun, bulb, torch};
-  for (std::size_t k = 0; k < lights.size(); ++k) {
+  Light hard = torch;
+  hard.spot->cutoff = 12.5;
+  hard.spot->inner.reset();
+  const std::vector<std::vector<Light>> choices = {
+      {sun}, {bulb}, {torch}, {hard}, {sun, bulb, torch}};
+  for (std::size_t k = 0; k < choices.size(); ++k) {
     const Image image = draw("light-casters", "light=" + std::to_string(k));
+    std::vector<Light> lights;
+    for (const Light& light : choices[k]) lights.push_back(eye.seen(light));
     for (const dvec3& at :
          {dvec3(0.05, 0.02, 0.5), dvec3(-0.45, 0.4, 0.5), dvec3(0.3, -0.4, 0.5)}) {
-      expect_plane(image, eye, at, {0, 0, 1}, box, {eye.seen(lights[k])});
+      expect_plane(image, eye, at, {0, 0, 1}, box, lights);
     }
+  }
+}
+
+TEST(Examples, LightCastersAreInSightAllAlongTheFlight) {
+  for (int t = 1; t < 12; t += 2) {
+    const Image image = draw("light-casters", "light=all -s 80x60 --t " + std::to_string(t));
+    int lit = 0;
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) lit += image.pixel(x, y)[0] > 0 ? 1 : 0;
+    }
+    EXPECT_GT(lit, image.width * image.height / 20) << "at " << t << " seconds";
   }
 }
 

@@ -105,6 +105,16 @@ class Browser:
                 sys.exit(f"not within {seconds} s: {condition}\n{self.errors}")
             time.sleep(0.05)
 
+    def settle(self):
+        """Until what was asked for is drawn, with all samples unless it plays."""
+        self.value("""new Promise(done => {
+            let looks = 0;
+            const isFine = () => [...document.querySelectorAll('.saddle')].every(e => e.dataset.fine != 'false');
+            const look = () => requestAnimationFrame(() => requestAnimationFrame(() =>
+                isFine() || ++looks > 40 ? done() : setTimeout(look, 50)));
+            setTimeout(look, 100);
+        })""")
+
     def picture(self, clip=None):
         """A PNG of the page, or of a rectangle of it: x, y, width, height."""
         options = {"format": "png"}
@@ -115,12 +125,13 @@ class Browser:
     def mouse(self, kind, x, y, **more):
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
 
-    def drag(self, start, end, steps=5):
-        self.mouse("mousePressed", *start, button="left", buttons=1, clickCount=1)
+    def drag(self, start, end, steps=5, button="left"):
+        buttons = {"left": 1, "right": 2}[button]
+        self.mouse("mousePressed", *start, button=button, buttons=buttons, clickCount=1)
         for step in range(1, steps + 1):
             self.mouse("mouseMoved", *(a + (b - a) * step / steps for a, b in zip(start, end)),
-                       button="left", buttons=1)
-        self.mouse("mouseReleased", *end, button="left", clickCount=1)
+                       button=button, buttons=buttons)
+        self.mouse("mouseReleased", *end, button=button, clickCount=1)
 
     def key(self, key):
         self.call("Input.dispatchKeyEvent", type="keyDown", key=key, text=key if len(key) == 1 else "")

@@ -161,7 +161,19 @@ def unused():
             yield f"{file}: no page shows it"
 
 
+def dev_complaints():
+    """Commands of ./dev that its help has and it lacks, or the other way round."""
+    text = (tree.ROOT / "dev").read_text(encoding="utf-8")
+    told = set(re.findall(r"^  ([a-z]+)\b", text[text.index("usage: ./dev"):text.index("\nTEXT")], re.M)) - {"help"}
+    has = set(re.findall(r"^cmd_([a-z]+)\(\)", text, re.M))
+    for name in sorted(told ^ has):
+        yield f"dev: {name} is {'no command' if name in told else 'not in the help'}"
+    done = subprocess.run([tree.ROOT / "dev", "nonsense"], capture_output=True, text=True)
+    if done.returncode != USAGE or "unknown command 'nonsense'" not in done.stderr:
+        yield "dev: an unknown command is not refused"
+
+
 with concurrent.futures.ThreadPoolExecutor(2) as pool:
     results = list(pool.map(complaints, PAGES))
-tree.finish([*(line for _, wrong in results for line in wrong), *unused()],
+tree.finish([*(line for _, wrong in results for line in wrong), *unused(), *dev_complaints()],
             sum(count for count, _ in results), "blocks of commands")

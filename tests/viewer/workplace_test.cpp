@@ -13,7 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/file.h"
 #include "export/formats/load_scene.h"
+#include "export/page/page.h"
 #include "paths.h"
 #include "scene/model/gallery.h"
 #include "view/window/viewer.h"
@@ -208,6 +210,18 @@ TEST_F(Workplace, BringsUnsavedWorkBack) {
   ASSERT_EQ(viewer.model().scene().surfaces.size(), 1U);
   EXPECT_EQ(viewer.model().scene().surfaces[0].z, "u*v+7");
   EXPECT_FALSE(Session().left_work());
+}
+
+TEST_F(Workplace, SavesAPageOfWhatItShows) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  choose(viewer, "Ctrl-P", "save page");
+  ASSERT_TRUE(until(viewer, [&] { return std::filesystem::exists("torus.html"); }));
+  const std::string page = read_file("torus.html");
+  EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+  const auto scene = scene_in_page(page, "torus.html");
+  ASSERT_TRUE(scene);
+  EXPECT_NE(scene->find("r = 0.8"), std::string::npos) << *scene;
 }
 
 TEST_F(Workplace, KeepsNoWorkThatIsSaved) {

@@ -8,11 +8,16 @@
 namespace saddle {
 namespace {
 
-Purpose purpose_of(const CommandLine& line, const std::vector<Output>& outputs) {
+Purpose purpose_of(const CommandLine& line, const std::vector<Output>& outputs,
+                   const Scene& scene) {
   const auto is_picture = [](const Output& output) { return output.format->is_seen(); };
   const auto is_mesh = [](const Output& output) { return output.is(Format::Kind::Mesh); };
   Purpose purpose;
   purpose.picture = !line.run.reference.empty() || std::ranges::any_of(outputs, is_picture);
+  for (const Output& output : outputs) {
+    if (!is_picture(output)) continue;
+    purpose.pixels = std::min(purpose.pixels, output.format->pixels_off(scene.picture.height));
+  }
   purpose.mesh = !purpose.picture || std::ranges::any_of(outputs, is_mesh);
   return purpose;
 }
@@ -29,7 +34,7 @@ Plan::Plan(const CommandLine& line)
     : outputs(checked_outputs(line)),
       timeline(animated(build_scene(line), has_frames(line, outputs))),
       shots(shots_of(line, timeline.scene(), outputs)),
-      purpose(purpose_of(line, outputs)) {
+      purpose(purpose_of(line, outputs, timeline.scene())) {
   std::vector<int> numbers;
   for (const Shot& shot : shots) {
     if (shot.frame) numbers.push_back(*shot.frame);

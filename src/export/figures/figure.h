@@ -34,6 +34,9 @@ struct Figure {
 /// Throws Error as render() does.
 Figure make_figure(const PageContent& content);
 
+/// A tenth of a pixel, the distance that hidden parts of lines may be off by.
+double figure_pixels_off(double height);
+
 /// Write the figure with its scene inside.
 void write_svg(std::ostream& out, const PageContent& content);
 void write_pdf(std::ostream& out, const PageContent& content);

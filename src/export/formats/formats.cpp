@@ -99,16 +99,19 @@ constexpr std::array kFormats = {
            .kind = Kind::Page,
            .write_page = write_page,
            .takes_sliders = true,
+           .pixels_off = page_pixels_off,
            .scene_in = scene_in_page,
            .magic = "<!DOCTYPE html>"},
     Format{.extension = "svg",
            .kind = Kind::Page,
            .write_page = write_svg,
+           .pixels_off = figure_pixels_off,
            .scene_in = scene_in_svg,
            .magic = "<?xml"},
     Format{.extension = "pdf",
            .kind = Kind::Page,
            .write_page = write_pdf,
+           .pixels_off = figure_pixels_off,
            .scene_in = scene_in_pdf,
            .magic = "%PDF"},
     Format{.extension = "toml", .kind = Kind::Scene, .write_scene = write_toml},
@@ -179,13 +182,26 @@ std::string format_table() {
          "open: surfaces\nthat are no solid. scene: saddle FILE opens it again.\n";
 }
 
-std::string extension_list(std::optional<Format::Kind> kind) {
+namespace {
+
+template <typename Wanted>
+std::string extensions_of(Wanted wanted) {
   std::string text;
   for (const Format& format : kFormats) {
-    if (kind && format.kind != *kind) continue;
+    if (!wanted(format)) continue;
     text += (text.empty() ? "." : " .") + std::string(format.extension);
   }
   return text;
+}
+
+}  // namespace
+
+std::string extension_list(std::optional<Format::Kind> kind) {
+  return extensions_of([kind](const Format& format) { return !kind || format.kind == *kind; });
+}
+
+std::string scene_extension_list() {
+  return extensions_of([](const Format& format) { return format.carries_scene(); });
 }
 
 }  // namespace saddle

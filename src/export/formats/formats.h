@@ -58,6 +58,8 @@ struct Format {
   void (*write_mesh)(std::ostream& out, const MeshContent& content) = nullptr;
   void (*write_page)(std::ostream& out, const PageContent& content) = nullptr;
   bool takes_sliders = false;  ///< --sliders and --fragment are about it
+  /// Pixels that the mesh may be off by, for a picture so high.
+  double (*pixels_off)(double height) = [](double) { return 0.5; };
   void (*write_scene)(std::ostream& out, const Scene& scene) = nullptr;
   const VideoFormat* video = nullptr;
   /// Returns the text of the scene file inside a file of this format, if there is one. Not set: the
@@ -103,5 +105,8 @@ std::string format_table();
 
 /// ".png .ply .html .svg .pdf .toml .gif .mp4 .webm", or only those of one kind.
 std::string extension_list(std::optional<Format::Kind> kind = std::nullopt);
+
+/// ".png .ply .obj .glb .3mf .html .svg .pdf .toml": those that load_scene() can open.
+std::string scene_extension_list();
 
 }  // namespace saddle

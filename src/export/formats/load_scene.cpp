@@ -26,6 +26,11 @@ Scene scene_of(const std::string& bytes, const std::string& name, const Format* 
     throw Error(Status::Input, name + " holds no scene", {},
                 "a file keeps its scene until another program saves it");
   }
+  if (format != nullptr && !format->carries_scene()) {
+    throw Error(Status::Input, name + " holds no scene", {},
+                "." + std::string(format->extension) +
+                    " has no room for one; these have: " + scene_extension_list());
+  }
   if (bytes.size() > kMaxTomlBytes) {
     throw Error(Status::Input, name + " is larger than 4 MiB", {},
                 "a scene file is shorter; saddle show torus prints one");

@@ -14,6 +14,7 @@
 
 #include "export/meshes/glb_materials.h"
 #include "export/meshes/looks.h"
+#include "export/meshes/sheet_directions.h"
 #include "export/meshes/solid_parts.h"
 #include "mesh/model/hidden_back.h"
 
@@ -116,19 +117,20 @@ class MeshAdder {
     }
     hides_back_ = spec.opacity == 1 && hides_its_back(mesh_);
     if (hides_back_) {
-      add_sheet(Side::Front, 0);
+      add_sheet(Side::Front, points());
     } else if (look_of(Side::Front) == look_of(Side::Back)) {
-      add_sheet(Side::Both, 0);
+      add_sheet(Side::Both, points());
     } else {
-      add_sheet(Side::Front, kSheetGap);
-      add_sheet(Side::Back, -kSheetGap);
+      const auto directions = std::make_shared<const SheetDirections>(mesh_);
+      add_sheet(Side::Front, points_off(kSheetGap, directions));
+      add_sheet(Side::Back, points_off(-kSheetGap, directions));
     }
   }
 
   /// Each part has one side; the solid hides the other one.
   void add_solid() {
     hides_back_ = true;
-    const Json attributes = attributes_of(0, 1);
+    const Json attributes = attributes_of(points(), 1);
     for (const PartRange& part : parts_of(mesh_)) {
       add_part(attributes, false, part, look_with(saddle::material_of(surface_.spec, part.part)));
     }
@@ -160,11 +162,16 @@ class MeshAdder {
     return look;
   }
 
-  PointAt point_at(double gap) const {
-    const double offset = gap * diagonal_;
-    return [&mesh = mesh_, centre = centre_, offset](std::size_t i) {
-      const dvec3 p = mesh.position[i] - centre;
-      return glm::vec3(offset == 0 ? p : p + offset * mesh.normal[i]);
+  PointAt points() const {
+    return [&mesh = mesh_, centre = centre_](std::size_t i) {
+      return glm::vec3(mesh.position[i] - centre);
+    };
+  }
+
+  /// `gap`: off the surface, as a share of the diagonal.
+  PointAt points_off(double gap, const std::shared_ptr<const SheetDirections>& directions) const {
+    return [&mesh = mesh_, centre = centre_, offset = gap * diagonal_, directions](std::size_t i) {
+      return glm::vec3(mesh.position[i] - centre + offset * directions->at(i));
     };
   }
 
@@ -228,15 +235,15 @@ class MeshAdder {
     return surface_.scale && std::isnan(mesh_.color[t[0]]);
   }
 
-  void add_sheet(Side side, double gap) {
+  void add_sheet(Side side, const PointAt& at) {
     const bool is_back = side == Side::Back;
     const PartRange all{SolidPart::Front, 0, mesh_.triangles.size()};
-    add_part(attributes_of(gap, is_back ? -1 : 1), is_back, all, material_of(side));
+    add_part(attributes_of(at, is_back ? -1 : 1), is_back, all, material_of(side));
   }
 
-  /// `gap`: off the surface, as a share of the diagonal. `sign`: of the normals.
-  Json attributes_of(double gap, double sign) {
-    Json attributes = {{"POSITION", add_points(mesh_.position.size(), point_at(gap), file_)},
+  /// `sign`: of the normals.
+  Json attributes_of(const PointAt& at, double sign) {
+    Json attributes = {{"POSITION", add_points(mesh_.position.size(), at, file_)},
                        {"NORMAL", add_normals(sign)}};
     for (std::size_t i = 0; i < coordinates_.size(); ++i) {
       attributes["TEXCOORD_" + std::to_string(i)] = coordinates_[i];

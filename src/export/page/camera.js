@@ -1,18 +1,27 @@
 // The camera: scene/model/camera.cpp, for a picture whose shape the window decides.
 
+// Its own axes: right, up, and back toward the eye.
+function axesOf(view, up) {
+  const back = unit(view);
+  const upward = [up, [0, 1, 0], [0, 0, 1]].find(u => length(cross(unit(u), back)) > 1e-8);
+  const right = unit(cross(upward, back));
+  return [right, cross(back, right), back];
+}
+// Where a point goes that turns around the pivot as the axes do.
+const carried = (pivot, point, before, after) =>
+  before.reduce((sum, axis, k) => plus(sum, after[k], dot(axis, plus(point, pivot, -1))), pivot);
+
+// Null, and not moved: the scene's own.
 const eye = {view: null, target: scene.target, distance: scene.distance};
 
 // `items`: boxes in the world that the near and far plane enclose.
 function fitCamera(camera, width, height, items, time) {
-  let view = eye.view || camera.view;
+  let view = camera.view;
   if (!eye.view && camera.turntable && scene.time) {
     view = rotated(view, camera.up, 2 * Math.PI * (time - scene.time[1]) / (scene.time[2] - scene.time[1]));
   }
-  const back = unit(view);
-  const up = [camera.up, [0, 1, 0], [0, 0, 1]].find(u => length(cross(unit(u), back)) > 1e-8);
-  const right = unit(cross(up, back));
-  const axes = [right, cross(back, right), back];
-  const target = eye.moved || !camera.target ? eye.target : camera.target;
+  const own = axesOf(view, camera.up), axes = axesOf(eye.view || view, camera.up), back = axes[2];
+  const target = eye.moved ? eye.target : carried(scene.centre, camera.target || eye.target, own, axes);
   const distance = eye.moved || !camera.distance ? eye.distance : camera.distance;
   const aspect = width / height;
   // Bars keep their share of the picture, whose shape the window may widen.

@@ -1,16 +1,23 @@
-// What hands and keys do. `page` is the state that main.js draws.
+// What hands and keys do. `page` is the state that main.js draws; page.refit() brings its camera up
+// to date with what other hands did since.
 
-// The eye goes round the target; it never tips over.
+// The eye goes round the middle of what is drawn, or, if a hand has moved that aside, round the
+// target. It never tips over.
 function turn(page, across, down) {
-  const {axes, up} = page.c, u = unit(up);
+  page.refit();
+  const {axes, up, target, width, height} = page.c, u = unit(up);
   let view = rotated(axes[2], u, -across);
   const pole = Math.acos(Math.min(Math.max(dot(unit(view), u), -1), 1));
   const angle = Math.min(Math.max(pole - down, 0.01), Math.PI - 0.01) - pole;
-  view = rotated(view, cross(u, view), angle);
-  eye.view = view;
+  eye.view = rotated(view, cross(u, view), angle);
+  if (!eye.moved) return;
+  const middle = onScreen(page.c, scene.centre);
+  const isAside = !middle || Math.abs(middle[0] / width - 0.5) > 0.25 || Math.abs(middle[1] / height - 0.5) > 0.25;
+  eye.target = carried(isAside ? target : scene.centre, target, axes, axesOf(eye.view, up));
 }
 
 function pan(page, across, down) {
+  page.refit();
   const {axes, half, height} = page.c, scale = 2 * half / height;
   hold(page);
   eye.target = plus(plus(eye.target, axes[0], -across * scale), axes[1], down * scale);
@@ -18,11 +25,16 @@ function pan(page, across, down) {
 
 // Toward the point under the pointer, which stays there.
 function zoom(page, factor, x, y) {
+  page.refit();
   const {c} = page;
   hold(page);
   const [across, up] = beside(c, x, y);
   eye.target = plus(plus(eye.target, c.axes[0], across * (1 - factor)), c.axes[1], up * (1 - factor));
   eye.distance *= factor;
+}
+
+function goHome() {
+  Object.assign(eye, {view: null, target: scene.target, distance: scene.distance, moved: false});
 }
 
 // From now on the hand has the camera, not the scene's own expressions.
@@ -35,7 +47,7 @@ function hold(page) {
 function pick(page, x, y) {
   const [origin, direction] = sight(page.c, x, y);
   let best = null;
-  for (const {s, matrix} of page.items) {
+  for (const {s, node, matrix} of page.items) {
     const world = i => placed(matrix, s.position.subarray(3 * i, 3 * i + 3));
     for (let i = 0; i < s.drawn.length; i += 3) {
       const t = s.drawn.subarray(i, i + 3), a = world(t[0]);
@@ -45,16 +57,23 @@ function pick(page, x, y) {
       const from = plus(origin, a, -1), b = dot(from, h) / det, q = cross(from, ab), g = dot(direction, q) / det;
       const way = dot(ac, q) / det;
       if (b < 0 || g < 0 || b + g > 1 || way < 0 || (best && way >= best.way)) continue;
-      best = {s, matrix, way, weights: [1 - b - g, b, g], corners: Array.from(t)};
+      best = {s, node, matrix, way, weights: [1 - b - g, b, g], corners: Array.from(t)};
     }
   }
   if (!best) return null;
-  const {s, weights, corners} = best;
-  const at = [0, 1].map(j => own(s.made.ends, corners.reduce((sum, i, k) => sum + weights[k] * s.uv[j][i], 0), j));
-  const o = s.outputs;
-  s.made.at(at[0], at[1], o);
-  const n = times(unit(cross([o[3], o[4], o[5]], [o[6], o[7], o[8]])), s.flip ? -1 : 1);
-  return {s, uv: [at[0], o[9]], position: [o[0], o[1], o[2]], normal: n, world: placed(best.matrix, [o[0], o[1], o[2]])};
+  const {s, node, weights, corners} = best;
+  return reading({s, node, weights, corners}, best.matrix);
+}
+
+// What there is at a place of a surface, at the parameters that the page has.
+function reading({s, node, weights, corners}, matrix) {
+  const mean = of => corners.reduce((sum, i, k) => sum + weights[k] * of(i), 0);
+  const of = array => [0, 1, 2].map(j => mean(i => array[3 * i + j]));
+  const [u, v] = [0, 1].map(j => own(s.made.ends, mean(i => s.uv[j][i]), j)), o = s.outputs;
+  s.made.at(u, v, o);
+  const position = s.fixed ? of(s.position) : [o[0], o[1], o[2]];
+  const normal = s.fixed ? unit(of(s.normal)) : times(unit(cross([o[3], o[4], o[5]], [o[6], o[7], o[8]])), s.flip ? -1 : 1);
+  return {s, node, weights, corners, uv: [u, o[9]], position, normal, world: placed(matrix, position)};
 }
 
 function listen(canvas, page) {
@@ -94,12 +113,13 @@ function listen(canvas, page) {
     ArrowLeft: () => turn(page, -0.1, 0), ArrowRight: () => turn(page, 0.1, 0),
     ArrowUp: () => turn(page, 0, -0.1), ArrowDown: () => turn(page, 0, 0.1),
     '+': () => zoom(page, 0.9, page.c.width / 2, page.c.height / 2), '-': () => zoom(page, 1 / 0.9, page.c.width / 2, page.c.height / 2),
-    Home: () => Object.assign(eye, {view: null, target: scene.target, distance: scene.distance, moved: false}),
+    Home: goHome,
     g: () => page.grid = !page.grid, a: () => page.axes = !page.axes, ' ': () => page.play(),
   };
   keys['='] = keys['+'];
-  canvas.addEventListener('keydown', e => {
-    if (e.ctrlKey || e.metaKey || e.altKey || !keys[e.key]) return;
+  // A page of its own listens before it is clicked, too.
+  (root.dataset.fragment === undefined ? document : canvas).addEventListener('keydown', e => {
+    if (e.ctrlKey || e.metaKey || e.altKey || !keys[e.key] || ![canvas, document.body].includes(e.target)) return;
     e.preventDefault();
     keys[e.key]();
     changed();

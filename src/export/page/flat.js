@@ -55,5 +55,5 @@ function flatPainter(canvas) {
       context.stroke();
     }
   }
-  return {draw, scale: 1, isLost: () => false};
+  return {draw, scale: 1, coarse: 1, isLost: () => false};
 }

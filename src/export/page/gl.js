@@ -199,5 +199,5 @@ function glPainter(canvas) {
   start();
   canvas.addEventListener('webglcontextlost', event => event.preventDefault());
   canvas.addEventListener('webglcontextrestored', () => { start(); changed(); });
-  return {draw, scale: options.antialias ? 1 : 2, isLost: () => gl.isContextLost()};
+  return {draw, scale: options.antialias ? 1 : 2, coarse: 0.5, isLost: () => gl.isContextLost()};
 }

@@ -3,37 +3,40 @@
 const own = (ends, k, j) => ends[2 * j] * (1 - k / 65535) + ends[2 * j + 1] * (k / 65535);
 
 // The surface at the parameters that the page has: s.position, s.normal, s.numbers (what colours
-// and contours show), s.drawn (the triangles that are there), s.frame.
-function evaluate(s, p, home) {
+// and contours show), s.drawn (the triangles that are there), s.frame. Whether it had to be made anew.
+function evaluate(s, p, homes) {
+  s.uses ||= homes.map((_, k) => k).filter(k => String(s.make).includes(`p[${k}]`));
+  const key = s.uses.map(k => p[k]).join(), home = s.isHome = s.uses.every(k => p[k] == homes[k]);
+  if (s.key == key) return false;
+  s.key = key;
   const made = s.made = s.make(p);
   s.look = s.lookOf(made.n);
   const count = s.uv[0].length;
   const o = s.outputs = new Float64Array(9 + s.extra);
-  if (!(s.fixed && s.position)) {
-    s.position = new Float64Array(3 * count);
-    s.normal = new Float64Array(3 * count);
-    s.numbers = Array.from({length: s.extra - 1}, () => new Float64Array(count));
-    s.lost = [];
-    for (let i = 0; i < count; ++i) {
-      made.at(own(made.ends, s.uv[0][i], 0), own(made.ends, s.uv[1][i], 1), o);
-      const x = o[4] * o[8] - o[5] * o[7], y = o[5] * o[6] - o[3] * o[8], z = o[3] * o[7] - o[4] * o[6];
-      const scale = (s.flip ? -1 : 1) / Math.hypot(x, y, z), n = [x * scale, y * scale, z * scale];
-      if (!isFinite(n[0] + n[1] + n[2])) s.lost.push(i);
-      for (let k = 0; k < 3; ++k) {
-        s.position[3 * i + k] = o[k];
-        s.normal[3 * i + k] = n[k];
-      }
-      s.numbers.forEach((numbers, k) => numbers[i] = o[10 + k]);
+  s.position = new Float64Array(3 * count);
+  s.normal = new Float64Array(3 * count);
+  s.numbers = Array.from({length: s.extra - 1}, () => new Float64Array(count));
+  s.lost = [];
+  for (let i = 0; i < count; ++i) {
+    made.at(own(made.ends, s.uv[0][i], 0), own(made.ends, s.uv[1][i], 1), o);
+    const x = o[4] * o[8] - o[5] * o[7], y = o[5] * o[6] - o[3] * o[8], z = o[3] * o[7] - o[4] * o[6];
+    const scale = (s.flip ? -1 : 1) / Math.hypot(x, y, z), n = [x * scale, y * scale, z * scale];
+    if (!isFinite(n[0] + n[1] + n[2])) s.lost.push(i);
+    for (let k = 0; k < 3; ++k) {
+      s.position[3 * i + k] = o[k];
+      s.normal[3 * i + k] = n[k];
     }
-    if (home || s.fixed) {
-      s.known.forEach((corner, i) => {
-        s.position.set(s.knownPosition[i], 3 * corner);
-        s.normal.set(s.knownNormal[i], 3 * corner);
-      });
-      s.lost = [];
-    }
+    s.numbers.forEach((numbers, k) => numbers[i] = o[10 + k]);
   }
-  s.home = home;
+  if (home || s.fixed) {
+    const follow = home ? (corner, p, n) => [p, n] : follower(s, s.make(homes));
+    s.known.forEach((corner, i) => {
+      const [p, n] = follow(corner, s.knownPosition[i], s.knownNormal[i]);
+      s.position.set(p, 3 * corner);
+      s.normal.set(n, 3 * corner);
+    });
+    s.lost = [];
+  }
   s.drawn = finiteTriangles(s);
   mendNormals(s);
   const box = bounds();
@@ -42,7 +45,22 @@ function evaluate(s, p, home) {
   s.bounds = box;
   s.frame = {centre: times(plus(box.high, box.low), 0.5), size};
   s.contours = home ? s.contourChains.map(chain => chain.map(i => s.contourPlaces[i])) : traceContours(s);
-  s.stale = true;
+  return s.stale = true;
+}
+
+// A tube or ball goes where its curve or point goes; each corner turns as the curve does.
+function follower(s, before) {
+  const at = (made, corner) => {
+    const o = [];
+    made.at(own(made.ends, s.uv[0][corner], 0), own(made.ends, s.uv[1][corner], 1), o);
+    return [o.slice(0, 3), unit(o.slice(3, 6))];
+  };
+  return (corner, p, n) => {
+    const [[from, ahead], [to, way]] = [at(before, corner), at(s.made, corner)];
+    const axis = cross(ahead, way), angle = Math.atan2(length(axis), dot(ahead, way));
+    const turn = d => angle > 0 ? rotated(d, axis, angle) : d;
+    return [plus(to, turn(plus(p, from, -1))), turn(n)];
+  };
 }
 
 // The triangles whose corners are all there.

@@ -18,8 +18,10 @@
 #include "base/sha256.h"
 #include "export/common/markup.h"
 #include "export/page/page_code.h"
+#include "export/page/page_description.h"
 #include "export/page/page_solids.h"
 #include "export/page/page_sources.h"
+#include "export/page/page_text.h"
 #include "render/gl/gpu_mesh.h"
 #include "render/picture/picture_in_tiles.h"
 #include "scene/model/instances.h"
@@ -28,9 +30,9 @@
 namespace saddle {
 namespace {
 
-/// Corners are baked that formulas have elsewhere by this share of a pixel: a quarter of the
-/// meshes' tolerance in pictures.
-constexpr double kPixelShare = 0.125;
+/// Corners are baked that formulas have elsewhere by this share of the mesh's tolerance.
+constexpr double kBakedShare = 0.25;
+constexpr double kScreenHeight = 1080;
 
 constexpr std::string_view kSceneBegins = "<template class=\"saddle-scene\">";
 constexpr std::string_view kSceneEnds = "</template>";
@@ -40,36 +42,37 @@ constexpr std::array kScripts = {"vectors.js",  "payload.js", "mesh.js", "camera
                                  "lights.js",   "gl.js",      "flat.js", "overlay.js",
                                  "controls.js", "main.js"};
 
-/// Without indentation and comments.
-std::string stripped(std::string_view text) {
-  std::string result;
-  std::istringstream lines{std::string(text)};
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t first = line.find_first_not_of(' ');
-    if (first == std::string::npos || line.substr(first).starts_with("//")) continue;
-    result += line.substr(first, line.find("  //", first) - first) + "\n";
-  }
-  return result;
+/// JavaScript and CSS need no semicolon before a brace; no file of the page has one in quotes
+/// there.
+std::string short_source(std::string_view source) {
+  std::string text = squeezed(without_comments(source));
+  for (std::size_t at = 0; (at = text.find(";}", at)) != std::string::npos;) text.erase(at, 1);
+  return text;
+}
+
+std::string source_of(const char* name) {
+  return short_source(page_source(name));
 }
 
 /// The functions of functions.js that the code calls, and those that they call.
 std::string functions_for(const std::string& code) {
-  const std::string source = stripped(page_source("functions.js"));
+  const std::string source(page_source("functions.js"));
   std::string all;
   std::set<std::string> known;
   bool has_grown = true;
   while (has_grown) {
     has_grown = false;
-    for (std::size_t at = 0; (at = source.find("function ", at)) != std::string::npos; ++at) {
-      const std::size_t begin = at + std::string_view("function ").size();
+    constexpr std::string_view kBegins = "\nfunction ";
+    for (std::size_t at = 0; (at = source.find(kBegins, at)) != std::string::npos; ++at) {
+      const std::size_t begin = at + kBegins.size();
       const std::string name = source.substr(begin, source.find('(', begin) - begin);
       const bool is_called = (code + all).find(name + "(") != std::string::npos;
       if (!is_called || !known.insert(name).second) continue;
-      all += source.substr(at, source.find("\n}\n", at) + 3 - at);
+      all += source.substr(at, source.find("\n}\n", at) + 3 - at);  // its own brace is not indented
       has_grown = true;
     }
   }
-  return all;
+  return short_source(all);
 }
 
 std::string hash_of(const std::string& text) {
@@ -127,10 +130,12 @@ class Sliders {
       const auto slider = std::ranges::find(sliders, definition.name, &Slider::name);
       // Without ends of its own, to twice the value on both sides of 0, as in the viewer.
       const double reach = std::max(1.0, 2 * std::abs(*value));
-      PageParameter parameter{definition.name + owner, *value, -reach, reach};
+      PageParameter parameter{definition.name + owner, *value, -reach, reach, 0, {}};
       if (slider != sliders.end()) {
         parameter.min = slider->min;
         parameter.max = slider->max;
+        parameter.step = slider->step;
+        parameter.choices = slider->choices;
       }
       definition.kept = kFirstKeptSymbol + static_cast<Symbol>(page_.parameters.size());
       page_.parameters.push_back(std::move(parameter));
@@ -203,11 +208,13 @@ PageScene page_scene(const PageContent& content, std::vector<Mesh>& parts,
     double& most = stretch[instance.surface];
     most = std::max(most, largest_stretch(instance.to_world));
   }
+  page.centre = (bounds.low + bounds.high) / 2.0;
   page.unit = model_frame(bounds).size;
-  const double pixel = 2 * page.camera.half_height / scene.picture.height;
+  const double height = scene.picture.height;
+  const double pixel = 2 * page.camera.half_height / height;
+  const double within = kBakedShare * page_pixels_off(height) * pixel;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    packed.push_back(
-        page_mesh(scene, scene.surfaces[i], page.meshes[i], kPixelShare * pixel / stretch[i]));
+    packed.push_back(page_mesh(scene, scene.surfaces[i], page.meshes[i], within / stretch[i]));
     packed.back().fixed |= page.meshes[i].solid.has_value();
   }
   page.packed = packed;
@@ -216,33 +223,33 @@ PageScene page_scene(const PageContent& content, std::vector<Mesh>& parts,
 
 /// Unpacks the script. Inserted as text it is allowed by its hash.
 constexpr const char* kLoader =
-    "(async root=>{const text=root.querySelector('.saddle-code').textContent,"
-    "script=document.createElement('script');"
+    "(async root=>{const find=name=>root.querySelector('.saddle-'+name);"
+    "try{const script=document.createElement('script');"
     "script.textContent=await new Response(new "
-    "Blob([Uint8Array.from(atob(text),c=>c.charCodeAt(0))])"
+    "Blob([Uint8Array.from(atob(find('code').textContent),c=>c.charCodeAt(0))])"
     ".stream().pipeThrough(new DecompressionStream('deflate'))).text();"
-    "root.append(script)})(document.currentScript.parentElement)"
-    ".catch(()=>document.querySelectorAll('.saddle-note').forEach(e=>"
-    "e.textContent='This page needs a browser of 2023 or later.'))";
+    "root.append(script)}"
+    "catch{find('note').textContent='This page needs a browser of 2023 or later.'}"
+    "})(document.currentScript.parentElement)";
 
 std::string body_of(const PageContent& content, const std::string& script,
                     const std::string& meshes, const std::string& style) {
   const std::string formula = formulas_as_text(content.scene);
-  const std::string title = escaped_markup(content.scene.title);
+  const std::string title = escaped_line(content.scene.title);
   const std::string tag = content.fragment ? "div" : "main";
   std::string text =
       "<" + tag + " class=\"saddle\"" + (content.fragment ? " data-fragment" : "") + ">\n";
   if (content.fragment) text += "<style>" + style + "</style>\n";
   text += (content.fragment ? "" : "<h1>" + title + "</h1>\n") +
-          ("<p class=\"saddle-formula\">" + escaped_markup(formula) + "</p>\n") +
+          ("<p class=\"saddle-formula\">" + escaped_line(formula) + "</p>\n") +
           "<div class=\"saddle-view\"><canvas class=\"saddle-canvas\" role=\"img\" tabindex=\"0\" "
           "aria-label=\"" +
-          title + ": " + escaped_markup(formula) +
+          title + ": " + escaped_line(formula + ". " + description_of(content)) +
           "\"></canvas><canvas class=\"saddle-over\" aria-hidden=\"true\"></canvas></div>\n"
           "<p class=\"saddle-place\" aria-live=\"polite\"></p>\n"
           "<p class=\"saddle-note\"><noscript>This page needs JavaScript.</noscript></p>\n"
           "<div class=\"saddle-panel\"></div>\n";
-  text += std::string(kSceneBegins) + escaped_markup(write_scene(content.scene)) +
+  text += std::string(kSceneBegins) + escaped_line(write_scene(content.scene)) +
           std::string(kSceneEnds) + "\n";
   text += "<script type=\"text/plain\" class=\"saddle-meshes\">" + base64_of(zlib_stream(meshes)) +
           "</script>\n<script type=\"text/plain\" class=\"saddle-code\">" +
@@ -261,12 +268,13 @@ void write_page(std::ostream& out, const PageContent& content) {
   for (const PageMesh& mesh : packed) meshes += mesh.bytes;
   for (const ColorScale& scale : page.scales) meshes += colormap_bytes(scale.colormap);
   for (const PagePicture& picture : page.pictures) meshes += picture.png;
-  std::string script = page_scene_code(page);
+  std::string script = squeezed(page_scene_code(page));
   script = functions_for(script) + script;
-  if (has_texture(page)) script += stripped(page_source("textures.js"));
-  for (const char* const name : kScripts) script += stripped(page_source(name));
-  script = "{\n" + script + "}\n";
-  const std::string style = stripped(page_source("page.css"));
+  if (has_texture(page)) script += source_of("textures.js");
+  for (const char* const name : kScripts) script += source_of(name);
+  // In sloppy code the block's functions would be those of the page around a fragment, too.
+  script = "'use strict';\n{\n" + script + "}\n";
+  const std::string style = source_of("page.css");
   const std::string body = body_of(content, script, meshes, style);
   if (content.fragment) {
     out << body;
@@ -276,10 +284,14 @@ void write_page(std::ostream& out, const PageContent& content) {
          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; base-uri "
          "'none'; form-action 'none'; script-src "
       << hash_of(kLoader) << " " << hash_of(script) << "; style-src " << hash_of(style)
-      << "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
-      << escaped_markup(content.scene.title) << "</title>\n<style>" << style
+      << "\">\n<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n<title>"
+      << escaped_line(content.scene.title) << "</title>\n<style>" << style
       << "</style>\n</head>\n<body>\n"
       << body << "</body>\n</html>\n";
+}
+
+double page_pixels_off(double height) {
+  return 0.5 * std::min(1.0, height / kScreenHeight);
 }
 
 std::optional<std::string> scene_in_page(const std::string& bytes, const std::string&) {

@@ -14,6 +14,10 @@ namespace saddle {
 /// no parameter.
 void write_page(std::ostream& out, const PageContent& content);
 
+/// Half a pixel of a large screen, 1080 pixels high, in pixels of a picture so high: browsers show
+/// pages larger than the picture.
+double page_pixels_off(double height);
+
 /// The scene file in a page; nothing if it holds none.
 std::optional<std::string> scene_in_page(const std::string& bytes, const std::string& name);
 

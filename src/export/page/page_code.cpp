@@ -242,17 +242,17 @@ std::string surface_code(const PageScene& page, std::size_t index, std::size_t p
 std::string sliders_code(const PageScene& page, const std::string& code) {
   const Scene& scene = page.scene;
   const Animation film = scene.animation.value_or(Animation{});
-  const auto row = [&](std::size_t index, const std::string& name, double value, double min,
-                       double max) {
+  const auto row = [&](std::size_t index, const PageParameter& p) {
     const bool is_used = code.find(parameter_of(index)) != std::string::npos ||
                          (index == 0 && scene.camera.turntable && scene.animation);
-    return list(
-        {js_string(name), js_number(value), js_number(min), js_number(max), "0", truth(!is_used)});
+    PageParts choices;
+    for (const std::string& choice : p.choices) choices.push_back(js_string(choice));
+    return list({js_string(p.name), js_number(p.value), js_number(p.min), js_number(p.max),
+                 js_number(p.step), truth(!is_used), list(choices)});
   };
-  PageParts rows = {row(0, "t", scene.t, film.from, film.to)};
+  PageParts rows = {row(0, {"t", scene.t, film.from, film.to, 0, {}})};
   for (std::size_t i = 0; i < page.parameters.size(); ++i) {
-    const PageParameter& p = page.parameters[i];
-    rows.push_back(row(i + 1, p.name, p.value, p.min, p.max));
+    rows.push_back(row(i + 1, page.parameters[i]));
   }
   return list(rows);
 }
@@ -266,14 +266,6 @@ std::string scales_code(const std::vector<ColorScale>& scales) {
                   "}");
   }
   return list(all);
-}
-
-std::string approximate(const PageScene& page) {
-  std::string at;
-  for (const PageParameter& p : page.parameters) {
-    at += (at.empty() ? "" : ", ") + p.name + " = " + format_number(p.value);
-  }
-  return "approximate: mesh made at " + (at.empty() ? "t = " + format_number(page.scene.t) : at);
 }
 
 }  // namespace
@@ -325,7 +317,7 @@ std::string page_scene_code(const PageScene& page) {
       ",ink:" + vector_code(ink_of(scene)) + ",grey:" + truth(shaders.grey) +
       ",background:" + list({js_number(b.r), js_number(b.g), js_number(b.b), js_number(b.a)}) +
       ",root:" + vector_code(dvec3(scene.scale.factors)) + ",unit:" + js_number(page.unit) +
-      ",target:" + vector_code(page.camera.target) +
+      ",centre:" + vector_code(page.centre) + ",target:" + vector_code(page.camera.target) +
       ",distance:" + js_number(page.camera.distance) + ",middle:" + js_number(page.camera.middle) +
       ",width:" + std::to_string(scene.picture.width) +
       ",height:" + std::to_string(scene.picture.height) + ",dot:" +
@@ -336,8 +328,7 @@ std::string page_scene_code(const PageScene& page) {
             return point;
           }(),
           {0, 0})) +
-      ",plays:" + truth(scene.animation.has_value()) +
-      ",approximate:" + js_string(approximate(page));
+      ",plays:" + truth(scene.animation.has_value());
   if (!pictures.empty()) code += ",pictures:" + list(pictures);
   if (scene.animation) {
     code += ",time:" + list({js_number(scene.t), js_number(scene.animation->from),

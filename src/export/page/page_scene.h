@@ -17,6 +17,8 @@ namespace saddle {
 struct PageParameter {
   std::string name;
   double value = 0, min = 0, max = 1;
+  double step = 0;                   ///< 0: any value between
+  std::vector<std::string> choices;  ///< the parameter is the number of one of these
 };
 
 /// A texture's picture as a PNG file with rows from below, as OpenGL has them.
@@ -34,7 +36,8 @@ struct PageScene {
   std::vector<ColorScale> scales;
   std::vector<PagePicture> pictures;  ///< of the surfaces' textures, each one once
   FittedCamera camera;
-  double unit = 1;  ///< what shaders measure lengths in
+  dvec3 centre{0, 0, 0};  ///< of all that is drawn, in the world
+  double unit = 1;        ///< what shaders measure lengths in
 };
 
 }  // namespace saddle

@@ -1,10 +1,10 @@
 #include "export/page/page_shaders.h"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <utility>
 
+#include "export/page/page_text.h"
 #include "render/shading/shader_materials.h"
 #include "render/shading/shaders.h"
 #include "render/shading/surface_shader.h"
@@ -68,17 +68,10 @@ std::vector<std::pair<Light, ShaderLight>> shining(const Scene& scene, const Fit
   return result;
 }
 
-/// As WebGL has it: another first line, which the page adds, no comments and no indentation.
+/// As WebGL has it: another first line, which the page adds.
 std::string for_page(const std::string& text) {
-  std::string result;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    line = line.substr(0, line.find("//"));
-    const std::size_t first = line.find_first_not_of(' ');
-    if (first == std::string::npos || line.starts_with("#version")) continue;
-    result += line.substr(first, line.find_last_not_of(' ') + 1 - first) + "\n";
-  }
-  return result;
+  const std::string result = squeezed(without_comments(text));
+  return result.starts_with("#version") ? result.substr(result.find('\n') + 1) : result;
 }
 
 ShaderText for_page(const ShaderText& text) {

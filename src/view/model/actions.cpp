@@ -14,6 +14,7 @@ constexpr auto kTable = std::to_array<ActionRow>({
     {Action::Gallery, "Gallery ...", "Ctrl-G", Menu::File, "choose a surface of the gallery"},
     {Action::SavePicture, "Save picture", "s", Menu::File, "save a PNG"},
     {Action::SaveScene, "Save scene", "S", Menu::File, "save the scene with this camera"},
+    {Action::SavePage, "Save page", "", Menu::File, "save a page that draws it in a browser"},
     {Action::CopyCommand, "Copy as command", "c", Menu::File, "copy the scene as a command line"},
     {Action::CopyScene, "Copy as scene", "C", Menu::File, "copy the scene as a scene file"},
     {Action::Restore, "Unsaved work", "", Menu::File, "bring back work that was not saved",

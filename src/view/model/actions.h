@@ -15,6 +15,7 @@ enum class Action {
   Gallery,
   SavePicture,
   SaveScene,
+  SavePage,
   CopyCommand,
   CopyScene,
   Restore,

@@ -1,15 +1,20 @@
 #include "view/picture/saver.h"
 
 #include <cctype>
+#include <functional>
+#include <ostream>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "export/page/page.h"
 #include "export/pictures/scene_png.h"
 #include "render/picture/picture_in_tiles.h"
 #include "render/picture/renderer.h"
 #include "scene/model/strokes.h"
 #include "scene/options/resolve.h"
+#include "scene/options/run_settings.h"
 #include "scene/toml/scene_file.h"
 #include "view/model/model.h"
 
@@ -42,15 +47,22 @@ Image draw_meshed(const Meshed& meshed) {
   return draw_image(renderer, scene, camera, scene.picture);
 }
 
-/// Returns what became of it.
-std::string write(const Image& image, const Scene& scene) {
-  try {
-    const auto path = free_name(scene.title, ".png");
-    write_file_whole(path, [&](std::ostream& out) { write_scene_png(out, {image, scene}); });
-    return "saved " + path.string();
-  } catch (...) {
-    return caught_error().what();
-  }
+std::string write(const Scene& scene, const char* extension,
+                  const std::function<void(std::ostream&)>& content) {
+  const auto path = free_name(scene.title, extension);
+  write_file_whole(path, content);
+  return "saved " + path.string();
+}
+
+std::string write_picture(const Image& image, const Scene& scene) {
+  return write(scene, ".png", [&](std::ostream& out) { write_scene_png(out, {image, scene}); });
+}
+
+std::string write_page_of(const Meshed& meshed) {
+  std::vector<Mesh> meshes;
+  for (const auto& surface : meshed.surfaces) meshes.push_back(surface->mesh);
+  const PageContent content{meshes, meshed.scene, meshed.scene, RunSettings{}.sliders};
+  return write(meshed.scene, ".html", [&](std::ostream& out) { write_page(out, content); });
 }
 
 }  // namespace
@@ -66,13 +78,22 @@ Saver::Saver(Tessellate tessellate, std::function<void()> wake)
     : wake_(wake), worker_(std::move(tessellate), std::move(wake)) {}
 
 void Saver::save_picture(Scene scene) {
+  save({std::move(scene)});
+}
+
+void Saver::save_page(Scene scene) {
+  save({std::move(scene), true});
+}
+
+void Saver::save(Wanted wanted) {
   const bool is_free = !is_busy();
-  waiting_.push_back(with_strokes(resolve(std::move(scene))));
+  wanted.scene = with_strokes(resolve(std::move(wanted.scene)));
+  waiting_.push_back(std::move(wanted));
   if (is_free) mesh_next();
 }
 
 void Saver::mesh_next() {
-  if (!waiting_.empty()) worker_.request(waiting_.front(), Manner::Full);
+  if (!waiting_.empty()) worker_.request(waiting_.front().scene, Manner::Full);
 }
 
 std::optional<std::string> Saver::pass() {
@@ -83,10 +104,17 @@ std::optional<std::string> Saver::pass() {
   }
   const auto meshed = worker_.take();
   if (!meshed) return std::nullopt;
+  const bool is_page = waiting_.front().page;
   waiting_.pop_front();
   try {
     if (meshed->error) throw Error(*meshed->error);
-    start_writing(*meshed);
+    if (is_page) {
+      start_writing([meshed = *meshed] { return write_page_of(meshed); });
+    } else {
+      start_writing([image = draw_meshed(*meshed), scene = meshed->scene] {
+        return write_picture(image, scene);
+      });
+    }
     return std::nullopt;
   } catch (...) {
     news_ = caught_error().what();
@@ -95,9 +123,13 @@ std::optional<std::string> Saver::pass() {
   return std::move(news_);
 }
 
-void Saver::start_writing(const Meshed& meshed) {
-  writer_ = std::jthread([this, image = draw_meshed(meshed), scene = meshed.scene] {
-    news_ = write(image, scene);
+void Saver::start_writing(std::function<std::string()> write) {
+  writer_ = std::jthread([this, write = std::move(write)] {
+    try {
+      news_ = write();
+    } catch (...) {
+      news_ = caught_error().what();
+    }
     is_written_ = true;
     wake_();
   });

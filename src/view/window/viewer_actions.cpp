@@ -63,7 +63,7 @@ bool Viewer::act_on_window(Action action) {
     case Action::Quit:
       insisting_ = closing_;
       closing_ = true;
-      if (saver_.is_busy()) say("saving; quit again to leave without the picture");
+      if (saver_.is_busy()) say("saving; quit again to leave without the file");
       return true;
     default:
       return false;
@@ -86,6 +86,9 @@ bool Viewer::act_on_files(Action action) {
       return true;
     case Action::SavePicture:
       saver_.save_picture(model_.scene_to_save());
+      return true;
+    case Action::SavePage:
+      saver_.save_page(model_.scene_to_save());
       return true;
     case Action::SaveScene: {
       const auto path = save_scene(model_.scene_to_save());

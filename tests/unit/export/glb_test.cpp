@@ -173,6 +173,25 @@ TEST(Glb, HasTwoSheetsThatAreSeenFromOneSideEach) {
   for (const std::size_t side : {0U, 1U}) EXPECT_FALSE(glb.material(side).contains("doubleSided"));
 }
 
+TEST(Glb, KeepsItsSheetsJoinedAtCreases) {
+  const Mesh mesh = tetrahedron();  // each face has normals of its own
+  const Glb glb = glb_of(mesh);
+  ASSERT_GE(glb.json["meshes"][0]["primitives"].size(), 2U);
+  const double gap = 1e-5 * std::sqrt(3);
+  for (const std::size_t side : {0U, 1U}) {
+    const auto position = glb.vectors(glb.primitive(side)["attributes"]["POSITION"]);
+    for (std::size_t i = 0; i < position.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        EXPECT_EQ(mesh.point[i] == mesh.point[j], position[i] == position[j]);
+      }
+      // As far from the three faces at the origin, which the box has half of its size away.
+      if (mesh.point[i] != 0) continue;
+      const double off = side == 0 ? -gap : gap;
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(position[i][k], -0.5 + off, 1e-7);
+    }
+  }
+}
+
 TEST(Glb, HasOneSheetWhereSidesAreAlikeOrNoBackIsSeen) {
   Scene scene = scene_of_surface();
   scene.surfaces[0].back = scene.surfaces[0].front;

@@ -125,6 +125,18 @@ TEST(Tube, IsRoundStraightInflectingAndClosedCurves) {
   expect_tube("(sin(u)+2*sin(2*u),cos(u)-2*cos(2*u),-sin(3*u))");
 }
 
+TEST(Tube, TakesACurveByItsName) {
+  const Definition curve = {"c", "(cos(s),sin(s),s^3)", {"s"}, true};
+  for (const std::string of : {"tube(", "frame("}) {
+    const std::string rest = of == "tube(" ? ",u,0.3,v).z" : ",u).b.z";
+    EXPECT_EQ(value_of_formula(of + "c" + rest, 0.7, 0.4, {curve}),
+              value_of_formula(of + "c(u)" + rest, 0.7, 0.4, {curve}));
+  }
+  const Definition tube = {"d", "tube(c,s,0.3,2*s)", {"s"}, true};
+  EXPECT_EQ(value_of_formula("tube(d,u,0.1,v).x", 0.7, 0.4, {curve, tube}),
+            value_of_formula("tube(tube(c(u),u,0.3,2*u),u,0.1,v).x", 0.7, 0.4, {curve}));
+}
+
 TEST(Tube, ClosesWhereItsCurveDoes) {
   const std::vector<Definition> names = {
       {"p", "tube((sin(s)+2*sin(2*s),cos(s)-2*cos(2*s),-sin(3*s)),s,0.3,a)", {"s", "a"}, true}};
