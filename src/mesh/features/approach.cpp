@@ -25,6 +25,9 @@ constexpr std::size_t kFirstSteps = 3;
 
 /// Halvings of a line that leave the parts that end_in_gaps() looks at.
 constexpr int kHalvingsToGap = 8;
+/// Lines through more gaps lead across waves. Their first gap is the rim of one, which a mesh would
+/// follow without an end.
+constexpr std::size_t kMostGaps = 2;
 
 /// A factor for kApproach on a short line: its nearest place is then 256 doubles from the end.
 double widening(const Line& line) {
@@ -136,10 +139,18 @@ void end_in_gaps(const Surface& surface, std::span<Line> lines, unsigned threads
       places.push_back(glm::mix(part.part[0], part.part[1], share));
   }
   const std::vector<bool> seen = are_seen(places);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    Line& line = lines[open[i / kAllAlongLine.size()].line];
-    const bool is_first = glm::distance(line[0], places[i]) < glm::distance(line[0], line[1]);
-    if (!seen[i] && is_first) line[1] = places[i];
+  std::size_t i = 0;
+  while (i < places.size()) {
+    const std::size_t number = open[i / kAllAlongLine.size()].line;
+    std::optional<dvec2> first;
+    std::size_t gaps = 0;
+    bool is_in_gap = false;
+    for (; i < places.size() && open[i / kAllAlongLine.size()].line == number; ++i) {
+      if (!seen[i] && !first) first = places[i];
+      if (!seen[i] && !is_in_gap) ++gaps;
+      is_in_gap = !seen[i];
+    }
+    if (first && gaps <= kMostGaps) lines[number][1] = *first;
   }
 }
 

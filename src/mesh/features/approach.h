@@ -28,8 +28,8 @@ std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> li
                                 unsigned threads, const std::optional<Bounds>& box = {});
 
 /// Ends each line that leads across a gap, to another sheet, at a place in the first gap. Gaps are
-/// looked for where bounds do not prove that the surface is continuous. Adds to `work` the number
-/// of points evaluated.
+/// looked for where bounds do not prove that the surface is continuous. Lines across waves, through
+/// many gaps, stay as they are. Adds to `work` the number of points evaluated.
 void end_in_gaps(const Surface& surface, std::span<Line> lines, unsigned threads,
                  const std::optional<Bounds>& box, std::size_t& work);
 
