@@ -285,7 +285,9 @@ void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
   std::vector<dvec2> middles;
   for (const EdgeChord& chord : chords_) middles.push_back(chord.middle);
   const std::vector<SurfacePoint> at_middle = evaluate(surface_, middles, threads_);
-  const std::vector<dvec2> boundary = ends_of(ways_to_boundary(at_middle));
+  std::vector<Line> ways = ways_to_boundary(at_middle);
+  end_in_gaps(surface_, ways, threads_, clip_, evaluations_);
+  const std::vector<dvec2> boundary = ends_of(ways);
   const std::vector<SurfacePoint> at_boundary = evaluate(surface_, boundary, threads_);
   evaluations_ += chords_.size() * (2 + kHalvingsToEdge);
   for (std::size_t k = 0; k < chords_.size(); ++k) {

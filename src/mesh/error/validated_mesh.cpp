@@ -20,6 +20,7 @@ void ValidatedMesh::put(std::span<const std::size_t> which, const LeafTriangles&
   triangles.ranges.resize(leaves.size());
   made.resize(leaves.size());
   proved.resize(leaves.size());
+  rough.resize(leaves.size());
   searched.resize(leaves.size());
   for (std::size_t k = 0; k < which.size(); ++k) {
     triangles.ranges[which[k]] = append(newer, newer.ranges[k], triangles.all);
@@ -52,6 +53,7 @@ void ValidatedMesh::remove(std::span<const std::size_t> which) {
     triangles.ranges[to] = triangles.ranges[from];
     made[to] = made[from];
     proved[to] = proved[from];
+    rough[to] = rough[from];
     searched[to] = searched[from];
     allowed[to++] = allowed[from];
   }
@@ -60,6 +62,7 @@ void ValidatedMesh::remove(std::span<const std::size_t> which) {
   triangles.ranges.resize(to);
   made.resize(to);
   proved.resize(to);
+  rough.resize(to);
   searched.resize(to);
   allowed.resize(to);
 }

@@ -33,6 +33,7 @@ struct ValidatedMesh {
   LeafTriangles triangles;
   std::vector<std::uint32_t> made;     ///< revisions of the triangles: RevisionClock::next()
   std::vector<TriangleMark> proved;    ///< leaves with a proof, whole or measured
+  std::vector<TriangleMark> rough;     ///< proved leaves that may hold tips below the bounds
   std::vector<TriangleMark> searched;  ///< leaves that were searched for features
 
   /// The revision of a leaf's triangles. Without any there is nothing to revise.

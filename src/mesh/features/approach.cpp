@@ -9,6 +9,7 @@
 
 #include "mesh/features/bisect_together.h"
 #include "mesh/model/clip.h"
+#include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 #include "surface/surface_enclosure.h"
@@ -21,6 +22,12 @@ namespace {
 /// too, if each of the first 3 moves is 8 times the one before.
 constexpr double kLeaps = 8;
 constexpr std::size_t kFirstSteps = 3;
+
+/// Halvings of a line that leave the parts that end_in_gaps() looks at.
+constexpr int kHalvingsToGap = 8;
+/// Lines through more gaps lead across waves. Their first gap is the rim of one, which a mesh would
+/// follow without an end.
+constexpr std::size_t kMostGaps = 2;
 
 /// A factor for kApproach on a short line: its nearest place is then 256 doubles from the end.
 double widening(const Line& line) {
@@ -103,6 +110,48 @@ std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> li
   std::vector<dvec2> last(ends.size());
   std::ranges::transform(ends, last.begin(), [](const Line& line) { return line[0]; });
   return last;
+}
+
+void end_in_gaps(const Surface& surface, std::span<Line> lines, unsigned threads,
+                 const std::optional<Bounds>& box, std::size_t& work) {
+  SurfaceEnclosure enclosure(surface, Bounded::Position);
+  std::vector<LinePart> open;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (least_defined(enclosure.enclose({lines[k][0], lines[k][1]})) != Defined::Yes)
+      open.push_back({k, lines[k]});
+  }
+  const auto are_seen = [&](std::span<const dvec2> places) {
+    work += places.size();
+    std::vector<bool> result;
+    for (const dvec3& p : evaluate_positions(surface, places, threads))
+      result.push_back(is_seen(box, p));
+    return result;
+  };
+  std::vector<dvec2> places;
+  for (const LinePart& line : open) places.push_back(line.part[1]);
+  const std::vector<bool> reaches_sheet = are_seen(places);
+  std::size_t next = 0;
+  std::erase_if(open, [&](const LinePart&) { return !reaches_sheet[next++]; });
+  open = unproved(surface, std::move(open), 0, work, kHalvingsToGap);
+  places.clear();
+  for (const LinePart& part : open) {
+    for (const double share : kAllAlongLine)
+      places.push_back(glm::mix(part.part[0], part.part[1], share));
+  }
+  const std::vector<bool> seen = are_seen(places);
+  std::size_t i = 0;
+  while (i < places.size()) {
+    const std::size_t number = open[i / kAllAlongLine.size()].line;
+    std::optional<dvec2> first;
+    std::size_t gaps = 0;
+    bool is_in_gap = false;
+    for (; i < places.size() && open[i / kAllAlongLine.size()].line == number; ++i) {
+      if (!seen[i] && !first) first = places[i];
+      if (!seen[i] && !is_in_gap) ++gaps;
+      is_in_gap = !seen[i];
+    }
+    if (first && gaps <= kMostGaps) lines[number][1] = *first;
+  }
 }
 
 }  // namespace saddle

@@ -27,4 +27,10 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
 std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> lines, int halvings,
                                 unsigned threads, const std::optional<Bounds>& box = {});
 
+/// Ends each line that leads across a gap, to another sheet, at a place in the first gap. Gaps are
+/// looked for where bounds do not prove that the surface is continuous. Lines across waves, through
+/// many gaps, stay as they are. Adds to `work` the number of points evaluated.
+void end_in_gaps(const Surface& surface, std::span<Line> lines, unsigned threads,
+                 const std::optional<Bounds>& box, std::size_t& work);
+
 }  // namespace saddle

@@ -6,10 +6,13 @@
 
 namespace saddle {
 
-std::vector<std::optional<SheetEnd>> sheet_ends(const Surface& surface, std::span<const Line> lines,
-                                                double delta, int halvings,
-                                                const std::optional<Bounds>& box, unsigned threads,
-                                                std::size_t& work) {
+namespace {
+
+std::vector<std::optional<SheetEnd>> ends_before_gaps(const Surface& surface,
+                                                      std::span<const Line> lines, double delta,
+                                                      int halvings,
+                                                      const std::optional<Bounds>& box,
+                                                      unsigned threads, std::size_t& work) {
   std::vector<dvec2> uv;
   for (const Line& line : lines) uv.insert(uv.end(), line.begin(), line.end());
   std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
@@ -53,6 +56,17 @@ std::vector<std::optional<SheetEnd>> sheet_ends(const Surface& surface, std::spa
     if (jumps[k].kind == Discontinuity::Jump) ends[k] = {jumps[k].ends[0], SheetEnd::Kind::Jump};
   }
   return ends;
+}
+
+}  // namespace
+
+std::vector<std::optional<SheetEnd>> sheet_ends(const Surface& surface, std::span<const Line> lines,
+                                                double delta, int halvings,
+                                                const std::optional<Bounds>& box, unsigned threads,
+                                                std::size_t& work) {
+  std::vector<Line> ways_to_gaps(lines.begin(), lines.end());
+  end_in_gaps(surface, ways_to_gaps, threads, box, work);
+  return ends_before_gaps(surface, ways_to_gaps, delta, halvings, box, threads, work);
 }
 
 }  // namespace saddle

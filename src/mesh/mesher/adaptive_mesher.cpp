@@ -475,7 +475,7 @@ bool AdaptiveMesher::may_hide_feature(std::size_t number) const {
   if (leaf.state.is_on_boundary()) return false;
   const bool is_continuous = leaf.state.is_whole() || count_features(leaf, tree_).is_continuous;
   return is_continuous && !leaf.state.oscillates() && !leaf.state.leads_to_pole() &&
-         !is_clipped(leaf) && !proof_.is_proved(mesh_, number);
+         !is_clipped(leaf) && !proof_.is_proved_smooth(mesh_, number);
 }
 
 /// Adds features that stick out of the triangles of leaves to their errors. Waves are no features.

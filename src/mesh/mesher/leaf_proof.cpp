@@ -70,7 +70,9 @@ LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
       certify(surface_, root_lines(grid_), patches, clip_, std::ref(measure), budget_);
   proof.bound = std::max(proof.bound, proof_ ? proof_->bound : 0);
   for (std::size_t k = 0; k < leaves.size(); ++k) {
-    if (proof.proved[k] != 0) mesh.proved[leaves[k]].put_on(mesh.revision_of(leaves[k]));
+    const std::size_t leaf = leaves[k];
+    if (proof.proved[k] != 0) mesh.proved[leaf].put_on(mesh.revision_of(leaf));
+    if (proof.rough[k] != 0) mesh.rough[leaf].put_on(mesh.revision_of(leaf));
   }
   for (UnprovedBox& box : proof.unproved_boxes) box.patch = leaves[box.patch];
   Result result{std::move(proof.unproved_boxes), {}};

@@ -38,6 +38,11 @@ class LeafProof {
   Result prove(ValidatedMesh& mesh);
   /// Whether a proof was tried.
   bool was_tried() const { return proof_.has_value(); }
+  /// Whether a leaf with its triangles is proved, and its bounds leave no room for a tip that is
+  /// off by more than the tolerance.
+  bool is_proved_smooth(const ValidatedMesh& mesh, std::size_t leaf) const {
+    return is_proved(mesh, leaf) && !mesh.rough[leaf].is_on(mesh.revision_of(leaf));
+  }
   /// Whether a leaf with its triangles is proved.
   bool is_proved(const ValidatedMesh& mesh, std::size_t leaf) const {
     return mesh.proved[leaf].is_on(mesh.revision_of(leaf));

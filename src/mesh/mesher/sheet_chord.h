@@ -19,6 +19,10 @@ namespace saddle {
 inline constexpr std::size_t kRays = 7;
 inline constexpr std::size_t kNodes = kRays + 2;
 
+/// Where the rays of later rounds cut the chord: on either side of the foreseen corner, in parts of
+/// the way from there to the end of the bracket.
+inline constexpr std::array<double, kRays / 2> kBesideCorner = {0x1p-1, 0x1p-4, 0x1p-7};
+
 /// The chord of a sheet's edge, in the unit square of its leaf.
 struct SheetChord {
   std::size_t leaf;
@@ -30,6 +34,10 @@ struct SheetChord {
   std::array<double, kNodes> shares = {};
   double turn = 0;  ///< at the corner, in radians
   dvec2 corner{0};
+  /// The first and the last node, if any, whose rays leave the sheet through the point where it
+  /// touches another one.
+  std::optional<std::array<std::size_t, 2>> slipping = {};
+  bool touches = false;  ///< its edge is a boundary, with such a corner
   bool is_near = false;  ///< the chord is within the tolerance; only a corner counts
   bool is_open = true;   ///< its corner is looked for
   bool is_found = false;
@@ -65,6 +73,23 @@ inline double share_of(const SheetChord& chord, const dvec2& place) {
   const dvec2 way = chord.ends[1] - chord.ends[0];
   const dvec2 ray = place - chord.from;
   return cross(chord.from - chord.ends[0], ray) / cross(way, ray);
+}
+
+/// The bracket of a corner between two nodes, with rays of the next round on either side of where
+/// it is foreseen on the chord.
+inline void set_bracket(std::size_t first, std::size_t last, double corner, SheetChord& chord) {
+  std::array<double, kNodes> shares;
+  shares.front() = chord.shares[first];
+  shares.back() = chord.shares[last];
+  shares[kNodes / 2] = corner;
+  for (std::size_t k = 0; k < kBesideCorner.size(); ++k) {
+    shares[k + 1] = corner - (corner - shares.front()) * kBesideCorner[k];
+    shares[kRays - k] = corner + (shares.back() - corner) * kBesideCorner[k];
+  }
+  const dvec2 back = chord.nodes[last];
+  chord.nodes.front() = chord.nodes[first];
+  chord.nodes.back() = back;
+  chord.shares = shares;
 }
 
 }  // namespace saddle

@@ -23,9 +23,6 @@ namespace {
 /// Rounds of rays: each divides the bracket of a corner by 8 at least, and by far more on straight
 /// lines.
 constexpr int kRayRounds = 5;
-/// Where the rays of later rounds cut the chord: on either side of the foreseen corner, in parts of
-/// the way from there to the end of the bracket.
-constexpr std::array<double, kRays / 2> kBesideCorner = {0x1p-1, 0x1p-4, 0x1p-7};
 /// An edge has a corner if two neighbouring places hold 0.6 of its turn, and 10 degrees at least:
 /// of a smooth arc they hold 0.3.
 constexpr double kShareOfCorner = 0.6;
@@ -141,7 +138,8 @@ class Solver {
   }
 
   /// Looks at the edges of open chords on rays through shares_of(chord). Calls take(chord, places)
-  /// with a place for each ray; closes chords that have a ray without an edge.
+  /// with a place for each ray. Closes chords that have a ray without an edge, but for those whose
+  /// other rays end at a boundary: there the sheet touches another one.
   template <class Shares, class Take>
   void look(Shares shares_of, int bisections, Take take) {
     std::vector<std::size_t> leaves;
@@ -158,13 +156,20 @@ class Solver {
     }
     const auto edges = edges_on(leaves, rays, bisections);
     std::size_t next = 0;
-    std::vector<dvec2> places;
+    std::vector<std::optional<dvec2>> places;
     for (SheetChord* const chord : looked_at) {
       places.clear();
+      bool slips = false;
+      bool is_boundary = true;
       for (std::size_t k = 0; k < shares_of(*chord).size(); ++k, ++next) {
-        chord->is_open = chord->is_open && edges[next] && edges[next]->is_edge;
-        if (chord->is_open) places.push_back(edges[next]->place);
+        chord->is_open = chord->is_open && edges[next];
+        if (!chord->is_open) continue;
+        const bool is_edge = edges[next]->is_edge;
+        slips = slips || !is_edge;
+        is_boundary = is_boundary && (!is_edge || edges[next]->is_boundary);
+        places.push_back(is_edge ? std::optional(edges[next]->place) : std::nullopt);
       }
+      chord->is_open = chord->is_open && (!slips || is_boundary);
       if (chord->is_open) take(*chord, places);
     }
   }
@@ -174,9 +179,12 @@ class Solver {
     const auto shares_of = [](const SheetChord& chord) {
       return chord.is_near ? std::span<const double>(kAlongLine) : std::span<const double>();
     };
-    look(shares_of, kHalvingsOfSecondOrder, [](SheetChord& chord, std::span<const dvec2> places) {
-      const std::array<dvec2, kAlongLine.size() + 2> nodes = {chord.ends[0], places[0], places[1],
-                                                              places[2], chord.ends[1]};
+    using Places = std::span<const std::optional<dvec2>>;
+    look(shares_of, kHalvingsOfSecondOrder, [](SheetChord& chord, Places places) {
+      const auto is_there = [](const auto& place) { return place.has_value(); };
+      if (!std::ranges::all_of(places, is_there)) return;
+      const std::array<dvec2, kAlongLine.size() + 2> nodes = {chord.ends[0], *places[0], *places[1],
+                                                              *places[2], chord.ends[1]};
       std::array<double, kAlongLine.size()> turns = {};
       for (std::size_t k = 0; k < turns.size(); ++k)
         turns[k] = turn_between(nodes[k + 1] - nodes[k], nodes[k + 2] - nodes[k + 1]);
@@ -191,8 +199,15 @@ class Solver {
       return std::span<const double>(chord.shares).subspan(1, kRays);
     };
     look(shares_of, round == 0 ? kHalvingsToNearly : kAllHalvings,
-         [](SheetChord& chord, std::span<const dvec2> places) {
-           std::ranges::copy(places, chord.nodes.begin() + 1);
+         [](SheetChord& chord, std::span<const std::optional<dvec2>> places) {
+           chord.slipping.reset();
+           for (std::size_t k = 0; k < kRays; ++k) {
+             if (places[k]) {
+               chord.nodes[k + 1] = *places[k];
+             } else {
+               chord.slipping = {chord.slipping ? (*chord.slipping)[0] : k + 1, k + 1};
+             }
+           }
          });
   }
 
@@ -200,6 +215,7 @@ class Solver {
   /// chord.
   static void narrow(SheetChord& chord, bool is_first) {
     if (!chord.is_open) return;
+    if (chord.slipping) return narrow_to_touch(chord);
     const auto& nodes = chord.nodes;
     std::array<double, kNodes> turns = {};
     double sum = 0;
@@ -241,20 +257,28 @@ class Solver {
     chord.corner =
         std::fabs(low - corner) < std::fabs(high - corner) ? nodes[sharpest] : nodes[sharpest + 1];
     // The bracket takes an arm on either side with it.
-    const std::size_t first = sharpest > 0 ? sharpest - 1 : 0;
-    const std::size_t last = std::min(sharpest + 2, kNodes - 1);
-    std::array<double, kNodes> shares;
-    shares.front() = chord.shares[first];
-    shares.back() = chord.shares[last];
-    shares[kNodes / 2] = corner;
-    for (std::size_t k = 0; k < kBesideCorner.size(); ++k) {
-      shares[k + 1] = corner - (corner - shares.front()) * kBesideCorner[k];
-      shares[kRays - k] = corner + (shares.back() - corner) * kBesideCorner[k];
-    }
-    const dvec2 back = nodes[last];
-    chord.nodes.front() = nodes[first];
-    chord.nodes.back() = back;
-    chord.shares = shares;
+    set_bracket(sharpest > 0 ? sharpest - 1 : 0, std::min(sharpest + 2, kNodes - 1), corner, chord);
+  }
+
+  /// Narrows the bracket of a corner through which rays leave the sheet: it is where its arms meet.
+  static void narrow_to_touch(SheetChord& chord) {
+    const auto [first, last] = *chord.slipping;
+    const auto& nodes = chord.nodes;
+    chord.is_open = first >= 2 && last + 2 < kNodes;
+    if (!chord.is_open) return;
+    const auto meeting =
+        intersection(nodes[first - 2], nodes[first - 1], nodes[last + 1], nodes[last + 2]);
+    const double turn = std::fabs(
+        turn_between(nodes[first - 1] - nodes[first - 2], nodes[last + 2] - nodes[last + 1]));
+    const double share = meeting ? share_of(chord, *meeting) : std::nan("");
+    chord.is_open =
+        share > chord.shares[first - 1] && share < chord.shares[last + 1] && turn > kLeastCorner;
+    if (!chord.is_open) return;
+    chord.is_found = true;
+    chord.touches = true;
+    chord.corner = *meeting;
+    chord.turn = turn;
+    set_bracket(first - 2, last + 2, share, chord);
   }
 
   /// The chord of a leaf with the sharpest corner, or else the one whose edge is farthest from it.
@@ -293,9 +317,11 @@ class Solver {
     if (last.is_edge && glm::distance(last.place, corner) > kNearly) return std::nullopt;
     if (starts_there) return last.uv;
     if (inner.is_edge) return std::nullopt;
-    // A sheet that touches the corner with its border goes on beyond.
-    if (!last.is_edge)
-      return is_on_sheet_side(chord, corner) ? std::optional(inner.uv) : std::nullopt;
+    // A sheet that touches the corner with its border goes on beyond, or another one does.
+    if (!last.is_edge) {
+      const bool touches = is_on_sheet_side(chord, corner) || chord.touches;
+      return touches ? std::optional(inner.uv) : std::nullopt;
+    }
     if (last.is_boundary) return last.uv;
     // Where several jumps meet, rounding may put the last place beyond one of them.
     tree_.effort().add_places(2);

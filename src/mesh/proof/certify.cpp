@@ -53,6 +53,7 @@ class Certifier {
         enclosure_(surface, Bounded::SecondDerivatives),
         patches_of_(cells_u_ * cells_v_, patches) {
     result_.proved.assign(patches.size(), 1);
+    result_.rough.assign(patches.size(), 0);
   }
 
   Certification run() {
@@ -311,6 +312,7 @@ class Certifier {
     } else {
       return false;
     }
+    if (!bounds.is_smooth) result_.rough[part.patch] = 1;
     measured_parts_.push_back(part);
     measured_parts_.back().known = bounds;
     return true;

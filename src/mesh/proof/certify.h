@@ -56,7 +56,9 @@ struct Certification {
   std::vector<UnprovedBox> unproved_boxes;
   std::vector<ProofGap> proof_gaps;  ///< disjoint; empty: all patches are proved
   std::vector<std::uint8_t> proved;  ///< 1 for each patch that is
-  double bound = 0;                  ///< on the distance of what is proved, in units of length
+  /// 1 for each patch with boxes that are measured without second derivatives: they may hold tips.
+  std::vector<std::uint8_t> rough;
+  double bound = 0;  ///< on the distance of what is proved, in units of length
 };
 
 /// Bounds the distance of r(u, v) from the triangles of each patch, of sides h and k, by

@@ -257,7 +257,19 @@ std::uint32_t VertexGeometry::add_between(std::span<const Between> places, unsig
         {glm::mix(vertices_.place_between(between.a), vertices_.place_between(between.b), share),
          between.uv});
   }
-  return add_inside(inner, threads);
+  const std::uint32_t first = add_inside(inner, threads);
+  for (std::size_t k = 0; k < places.size(); ++k) fill_from_ends(places[k], first + k);
+  return first;
+}
+
+/// Gives an undefined vertex the position of an end of its line that is at the same parameters: a
+/// limit may have defined that.
+void VertexGeometry::fill_from_ends(const Between& between, std::size_t vertex) {
+  if (is_finite(grid_.mesh.position[vertex])) return;
+  for (const std::uint32_t end : {between.a, between.b}) {
+    if (is_defined(end) && grid_.mesh.uv[end] == between.uv)
+      return fill(static_cast<std::uint32_t>(vertex), grid_.mesh.position[end]);
+  }
 }
 
 std::uint32_t VertexGeometry::add_inside(std::span<const InnerPlace> places, unsigned threads) {

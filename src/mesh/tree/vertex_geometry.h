@@ -106,6 +106,7 @@ class VertexGeometry {
   void replace_rounding(unsigned threads);
   std::vector<Beside> look_beside(std::span<const std::uint32_t> vertices, unsigned threads);
   void fill(std::uint32_t vertex, const dvec3& limit);
+  void fill_from_ends(const Between& between, std::size_t vertex);
   void classify(std::span<const std::uint32_t> vertices, unsigned threads);
   void join_pole(std::uint32_t vertex);
 
