@@ -42,8 +42,9 @@ TEST(BoundedWork, EndsWhereWavesCrowdAlongASlantingLine) {
     const MeshResult result = try_mesh(height_field(z), thousandth()).value();
     EXPECT_FALSE(result.report.reached_limit) << z;
     EXPECT_TRUE(result.report.oscillates) << z;
-    // 25 million where leaves beside the blocks that waves fill are halved further.
-    EXPECT_LT(result.report.evaluations, 10'000'000U) << z;
+    // At most 10.01 million, of which a tenth looks for jumps beside jumps; 25 million where leaves
+    // beside the blocks that waves fill are halved further.
+    EXPECT_LT(result.report.evaluations, 12'000'000U) << z;
   }
 }
 
