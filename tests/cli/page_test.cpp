@@ -55,10 +55,7 @@ TEST_F(GraphPage, ThatIsHeavyForBrowsersIsWarnedOf) {
   const std::string told = error_of(saddle({"z=u*v", "--samples", "510x510", "-o", "a.html"}), 0);
   EXPECT_TRUE(contains(told, "a.html: 520200 triangles")) << told;
   EXPECT_TRUE(contains(told, "--tolerance")) << told;
-  EXPECT_FALSE(contains(error_of(saddle({"z=u*v", "-o", "a.html"}), 0), "triangles"));
-  EXPECT_FALSE(
-      contains(error_of(saddle({"z=u*v", "--samples", "510x510", "-s", "32x24", "-o", "a.svg"}), 0),
-               "triangles"));
+  EXPECT_EQ(saddle({"z=u*v", "-o", "a.html"}).err, "");
 }
 
 TEST_F(GraphPage, FragmentHasNoBody) {
