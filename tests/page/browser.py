@@ -32,7 +32,7 @@ class Browser:
             import websocket
         except ImportError:
             skip("no Python module websocket; apt-get install python3-websocket")
-        self.folder = tempfile.TemporaryDirectory()
+        self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self.process = subprocess.Popen(
             [program, *FLAGS, *flags, f"--user-data-dir={self.folder.name}", "about:blank"],
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -56,7 +56,7 @@ class Browser:
         self.socket.close()
         self.process.terminate()
         self.process.wait()
-        self.folder.cleanup()
+        self.folder.cleanup()  # processes of Chromium may outlive it, and write into the folder
 
     def take(self, message):
         method, details = message.get("method"), message.get("params", {})
