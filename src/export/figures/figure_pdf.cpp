@@ -143,7 +143,8 @@ class PdfFile {
 
  private:
   // The second line tells that the file is no text.
-  std::string text_ = "%PDF-1.7\n%\xE2\xE3\xCF\xD3\n";
+  // LaTeX warns of versions above 1.5. Transparency and embedded files need 1.4.
+  std::string text_ = "%PDF-1.4\n%\xE2\xE3\xCF\xD3\n";
   std::vector<std::size_t> places_;
 };
 
@@ -190,7 +191,7 @@ void write_pdf(std::ostream& out, const PageContent& content) {
           "3 /BitsPerComponent 8 /Columns " +
           columns + " >> /Length ",
       png_data(opaque(figure.image)));
-  file.add("<< /Type /Filespec /F (scene.toml) /UF (scene.toml) /EF << /F 7 0 R >> >>");
+  file.add("<< /Type /Filespec /F (scene.toml) /EF << /F 7 0 R >> >>");
   file.add_stream("/Type /EmbeddedFile /Subtype /application#2Ftoml " + std::string(kPdfSceneMark),
                   write_scene(content.scene));
   file.add("<< /Title " + pdf_text(content.scene.title) + " /Subject " +

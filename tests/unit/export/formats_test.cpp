@@ -108,7 +108,7 @@ TEST(Formats, BeginAsTheirSpecificationsSay) {
   EXPECT_TRUE(written(*find_format("ply"), scene).starts_with("ply\nformat binary_little_endian"));
   EXPECT_TRUE(written(*find_format("html"), scene).starts_with("<!DOCTYPE html>\n"));
   EXPECT_TRUE(written(*find_format("svg"), scene).starts_with("<?xml version=\"1.0\""));
-  EXPECT_TRUE(written(*find_format("pdf"), scene).starts_with("%PDF-1.7\n"));
+  EXPECT_TRUE(written(*find_format("pdf"), scene).starts_with("%PDF-1.4\n"));
   EXPECT_EQ(written(*find_format("toml"), scene), write_scene(scene));
 }
 
