@@ -129,6 +129,8 @@ constexpr MessageRow kRows[] = {
     {"torus -o a.ply", "SADDLE_CPU: unknown CPU level 'foo'", "sse2, avx2 and avx512", "",
      "SADDLE_CPU=foo"},
     // outputs
+    {"torus -o a.gltf", "--output: unknown extension '.gltf'", "did you mean '.glb'?",
+     "torus -o a.glb"},
     {"torus -o a.pgn", "--output: unknown extension '.pgn'", "did you mean '.png'?",
      "torus -s 9x9 -o a.png"},
     {"torus -o a", "--output: no extension says what to write", "known: .png",
