@@ -26,6 +26,16 @@ bool is_scene_file(const std::string& name) {
   return has_scene_extension(name) || std::filesystem::is_regular_file(name, ignored);
 }
 
+/// The word is no file, no surface of the gallery, and not the first one of its object.
+Error unknown_object(const std::string& name) {
+  if (name != "curve" && name != "point") return unknown_gallery_name(name);
+  const std::string object = name == "curve" ? "curve u=s v='2*s' s=0:tau" : "point 1,2,3";
+  return {Status::Input,
+          "a " + name + " beside a surface stands after a '+'",
+          {},
+          "for example saddle torus + " + object + " -o both.png"};
+}
+
 /// The scene of the argument without a `=`.
 Scene named_scene(const std::string& name, const std::optional<Theme>& theme) {
   if (name == "-") return load_standard_input(theme);
@@ -35,7 +45,7 @@ Scene named_scene(const std::string& name, const std::optional<Theme>& theme) {
     throw Error(Status::Input, "no surface is called '" + name + "'", {},
                 "did you mean --" + name + "? saddle list prints all names of surfaces");
   }
-  if (entry == nullptr) throw unknown_gallery_name(name);
+  if (entry == nullptr) throw unknown_object(name);
   return gallery_scene(*entry);
 }
 
@@ -88,7 +98,7 @@ bool is_common(const Segment& segment) {
                                      bool has_formulas) {
   for (const std::string& name : {first, second}) {
     if (name != "-" && !is_scene_file(name) && find_gallery_entry(name) == nullptr) {
-      throw unknown_gallery_name(name);
+      throw unknown_object(name);
     }
   }
   throw Error(Status::Input, "two scenes, '" + first + "' and '" + second + "'", {},
