@@ -77,33 +77,66 @@ function logGamma(x) {
   return (x - 0.5) * (Math.log(x) - 1) + (0.4189385332046727 + series / x);
 }
 
-// The derivative of order n + 1 of ln gamma(x): recurrence up to where its series is good.
-// Source: M. Abramowitz, I. Stegun, "Handbook of mathematical functions", 1964, 6.4.
+// The derivative of order n + 1 of ln gamma(x). In the middle between poles it is mirrored; far to
+// the left the poles repeat those about 0. The sum carries its rounding errors with it, by A.
+// Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen", 1974.
 function polygamma(n, x) {
   if (x != x || (x <= 0 && x == Math.floor(x))) return NaN;
   if (x == 1 / 0) return n > 0 ? 0 : x;
-  if (x < 0) {
-    const mirrored = polygamma(n, 1 - x);
-    return (n % 2 ? -mirrored : mirrored) - cotangentDerivative(n, x);
+  let sum = 0, error = 0;
+  const add = y => {
+    const all = sum + y;
+    error += Math.abs(sum) < Math.abs(y) ? y - all + sum : sum - all + y;
+    sum = all;
+  };
+  const sign = n % 2 ? -1 : 1, near = x - Math.round(x);
+  const isMirrored = x < 0 && Math.abs(near) > 0.4;
+  if (isMirrored) {
+    addPolygamma(n, 1 - x, -1, add);
+  } else if (x < -20) {
+    addPolygamma(n, 1 - x, -1, add);
+    addPolygamma(n, 1 - near, 1, add);
+    addPolygamma(n, near, -sign, add);
+  } else {
+    addPolygamma(n, x, -sign, add);
   }
-  let factorial = 1;  // of n - 1
-  for (let k = 2; k < n; ++k) factorial *= k;
-  let shifted = 0;
-  for (; x < 20 + n; ++x) shifted += Math.pow(x, -n - 1);
-  let sum = n ? factorial * Math.pow(x, -n) : -Math.log(x);
-  factorial *= n || 1;
-  sum += factorial * Math.pow(x, -n - 1) / 2;
-  [1 / 6, -1 / 30, 1 / 42, -1 / 30, 5 / 66, -691 / 2730, 7 / 6, -3617 / 510, 43867 / 798, -174611 / 330].forEach((bernoulli, i) => {
-    const k = 2 * i + 2;
-    let ratio = n ? 1 : 1 / k;  // (k + n - 1)! / k!
-    for (let j = k + 1; j < k + n; ++j) ratio *= j;
-    sum += bernoulli * ratio * Math.pow(x, -n - k);
-  });
-  sum += factorial * shifted;
-  return n % 2 ? sum : -sum;
+  let factorial = 1;
+  for (let k = 2; k <= n; ++k) factorial *= k;
+  const value = factorial * (sum + (error || 0));  // not a number where the sum is infinite
+  return isMirrored ? value - cotangentDerivative(n, near) : value;
 }
 
-// The n-th derivative of pi cot(pi x): pi^(n+1) P_n(cot), P_0 = c, P_(n+1) = -(1 + c^2) P_n'.
+// Adds the terms of sum 1/(x + k)^(n+1) for k = 0, 1 ..., which is polygamma but for a sign and n!;
+// for n = 0 without its infinite constant: one by one up to where the series for the rest is good.
+// Source: M. Abramowitz, I. Stegun, "Handbook of mathematical functions", 1964, 6.4.
+function addPolygamma(n, x, factor, add) {
+  let far = x, off = 0;  // the place is off larger than its double
+  for (let steps = 1; far < 20 + n; ++steps) {
+    const term = factor * Math.pow(far, -n - 1);
+    add(term);
+    if (off) add(-(n + 1) * term * off / far);
+    far = x + steps;
+    off = x - (far - steps);
+  }
+  if (n) {
+    add(factor * Math.pow(far, -n) / n);
+  } else {  // the logarithm, as those of a power of 2 in two parts and of the rest
+    const power = Math.min(Math.floor(Math.log2(far)), 1023);
+    add(-factor * power * 0.6931471803691238);
+    add(-factor * power * 1.9082149292705877e-10);
+    add(-factor * Math.log(far / 2 ** power));
+  }
+  add(factor * (0.5 - off) * Math.pow(far, -n - 1));
+  [1 / 6, -1 / 30, 1 / 42, -1 / 30, 5 / 66, -691 / 2730, 7 / 6, -3617 / 510, 43867 / 798, -174611 / 330].forEach((bernoulli, i) => {
+    const k = 2 * i + 2;
+    let ratio = 1 / k;  // (k + n - 1)! / (k! n!)
+    for (let j = 1; j <= n; ++j) ratio *= (k + j - 1) / j;
+    add(factor * bernoulli * ratio * Math.pow(far, -n - k));
+  });
+}
+
+// The n-th derivative of pi cot(pi x) near 1/2 and -1/2: pi^(n+1) P_n(cot), P_0 = c,
+// P_(n+1) = -(1 + c^2) P_n'.
 function cotangentDerivative(n, x) {
   let p = [0, 1];
   for (let k = 0; k < n; ++k) {
@@ -114,9 +147,9 @@ function cotangentDerivative(n, x) {
     }
     p = next;
   }
-  const rest = x - Math.round(x);
-  const c = Math.abs(rest) > 0.25 ? Math.sign(rest) * Math.tan(Math.PI * (0.5 - Math.abs(rest))) : 1 / Math.tan(Math.PI * rest);
-  return Math.pow(Math.PI, n + 1) * polynomial(p, c);
+  const c = Math.sign(x) * Math.tan(Math.PI * (0.5 - Math.abs(x)));
+  const value = Math.pow(Math.PI, n + 1) * polynomial(p, c);
+  return value + value * (n + 1) * 3.9e-17;  // the rest of pi
 }
 
 // J_n(x) for whole n: by recurrence from a high order down, or far out by its waves.

@@ -1,6 +1,6 @@
 // From formulas to meshes: positions and normals of the corners, in doubles.
 
-const own = (ends, k, j) => ends[2 * j] * (1 - k / 65535) + ends[2 * j + 1] * (k / 65535);
+const own = (ends, k, j) => ends[2 * j] * (1 - k / 65536) + ends[2 * j + 1] * (k / 65536);
 
 // The surface at the parameters that the page has: s.position, s.normal, s.numbers (what colours
 // and contours show), s.drawn (the triangles that are there), s.frame. Whether it had to be made anew.
@@ -44,23 +44,8 @@ function evaluate(s, p, homes) {
   const half = times(plus(box.high, box.low, -1), 0.5), size = length(half) || 1;
   s.bounds = box;
   s.frame = {centre: times(plus(box.high, box.low), 0.5), size};
-  s.contours = home ? s.contourChains.map(chain => chain.map(i => s.contourPlaces[i])) : traceContours(s);
+  s.contours = home || !s.levels.length ? s.contourChains.map(chain => chain.map(i => s.contourPlaces[i])) : traceContours(s);
   return s.stale = true;
-}
-
-// A tube or ball goes where its curve or point goes; each corner turns as the curve does.
-function follower(s, before) {
-  const at = (made, corner) => {
-    const o = [];
-    made.at(own(made.ends, s.uv[0][corner], 0), own(made.ends, s.uv[1][corner], 1), o);
-    return [o.slice(0, 3), unit(o.slice(3, 6))];
-  };
-  return (corner, p, n) => {
-    const [[from, ahead], [to, way]] = [at(before, corner), at(s.made, corner)];
-    const axis = cross(ahead, way), angle = Math.atan2(length(axis), dot(ahead, way));
-    const turn = d => angle > 0 ? rotated(d, axis, angle) : d;
-    return [plus(to, turn(plus(p, from, -1))), turn(n)];
-  };
 }
 
 // The triangles whose corners are all there.
@@ -89,28 +74,6 @@ function mendNormals(s) {
     }
   }
   for (const i of s.lost) s.normal.set(unit(sums.get(place(i))), 3 * i);
-}
-
-// Level lines on the triangles, where a slider has moved the surface.
-function traceContours(s) {
-  const pieces = [];
-  s.levels.forEach((levels, k) => {
-    const numbers = s.numbers[s.colored ? k + 1 : k];
-    if (!levels.length) levels = ticks(...numbers.reduce(([a, b], x) => isFinite(x) ? [Math.min(a, x), Math.max(b, x)] : [a, b], [1 / 0, -1 / 0]), 10);
-    for (let i = 0; i < s.drawn.length; i += 3) {
-      for (const level of levels) {
-        const ends = [];
-        for (let e = 0; e < 3; ++e) {
-          const a = s.drawn[i + e], b = s.drawn[i + (e + 1) % 3];
-          const x = numbers[a] - level, y = numbers[b] - level;
-          if (x < 0 == y < 0 || !isFinite(x - y)) continue;
-          ends.push([0, 1, 2].map(c => s.position[3 * a + c] + (s.position[3 * b + c] - s.position[3 * a + c]) * x / (x - y)));
-        }
-        if (ends.length == 2) pieces.push(ends);
-      }
-    }
-  });
-  return pieces;
 }
 
 // What a color number is as a share of its mesh's range; -1: undefined.

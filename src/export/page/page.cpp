@@ -182,9 +182,20 @@ void add_picture(const TexturePicture* picture, PageScene& page) {
   page.pictures.push_back({picture, std::move(png).str()});
 }
 
-bool has_texture(const PageScene& page) {
-  return std::ranges::any_of(page.scene.surfaces,
-                             [](const SurfaceSpec& spec) { return bool(spec.texture); });
+/// The scripts that only pages with such surfaces need.
+std::string scripts_for(const PageScene& page) {
+  const auto has = [&](auto property) {
+    return std::ranges::any_of(page.scene.surfaces, property);
+  };
+  std::string all;
+  if (has([](const SurfaceSpec& spec) { return bool(spec.texture); })) {
+    all += source_of("textures.js");
+  }
+  if (has([](const SurfaceSpec& spec) { return !spec.contours.empty(); })) {
+    all += source_of("contours.js");
+  }
+  if (std::ranges::any_of(page.packed, &PageMesh::fixed)) all += source_of("tubes.js");
+  return all;
 }
 
 /// `parts`, `packed`: keep what the page refers to.
@@ -270,7 +281,7 @@ void write_page(std::ostream& out, const PageContent& content) {
   for (const PagePicture& picture : page.pictures) meshes += picture.png;
   std::string script = squeezed(page_scene_code(page));
   script = functions_for(script) + script;
-  if (has_texture(page)) script += source_of("textures.js");
+  script += scripts_for(page);
   for (const char* const name : kScripts) script += source_of(name);
   // In sloppy code the block's functions would be those of the page around a fragment, too.
   script = "'use strict';\n{\n" + script + "}\n";

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <vector>
 
+#include "export/page/page_triangles.h"
 #include "render/shading/colormap_textures.h"
 #include "scene/model/colormap.h"
 #include "scene/model/prepare.h"
@@ -15,11 +16,12 @@ namespace saddle {
 namespace {
 
 constexpr double kMostWord = 65535;
+/// The steps of a parameter's range: a power of two, as leaves are halves of halves.
+constexpr double kSteps = 65536;
 /// Normals of formulas that differ by less light a surface alike: a third of a degree.
 constexpr double kSameNormal = 0.006;
 /// A mesh of which the formulas know fewer corners than this share is on another surface.
 constexpr double kKnownShare = 0.5;
-constexpr std::uint32_t kUnused = ~std::uint32_t{0};
 
 class Bytes {
  public:
@@ -49,10 +51,29 @@ class Bytes {
   std::string text_;
 };
 
+/// How far a place is between two ends.
+double share_of(double value, double from, double to) {
+  return to != from ? std::clamp((value - from) / (to - from), 0.0, 1.0) : 0;
+}
+
 /// The 16 bits of a place between two ends; the ends are exact.
 std::uint16_t word_of(double value, double from, double to) {
-  const double share = to != from ? (value - from) / (to - from) : 0;
-  return static_cast<std::uint16_t>(std::lround(kMostWord * std::clamp(share, 0.0, 1.0)));
+  return static_cast<std::uint16_t>(std::lround(kMostWord * share_of(value, from, to)));
+}
+
+std::int64_t step_of(double value, double from, double to) {
+  return std::lround(kSteps * share_of(value, from, to));
+}
+
+/// The differences from what the corners before let guess.
+void write_steps(Bytes& bytes, const std::vector<std::int64_t>& steps,
+                 const std::vector<PageTriangles::Guess>& guesses) {
+  if (steps.empty()) return;
+  bytes.signed_varint(steps[0]);
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    const auto [a, b, c] = guesses[i - 1];
+    bytes.signed_varint(steps[i] - (steps[a] + steps[b] - steps[c]));
+  }
 }
 
 void write_places(Bytes& bytes, const std::vector<dvec3>& places, const Bounds& box) {
@@ -80,28 +101,6 @@ void write_normals(Bytes& bytes, const std::vector<dvec3>& normals) {
   bytes.words(words[1]);
 }
 
-/// Corners in the order in which triangles, then lines, first use them.
-struct FirstUse {
-  std::vector<std::uint32_t> corners;  ///< of the mesh
-  std::vector<std::uint32_t> place;    ///< of each corner of the mesh in that order
-
-  explicit FirstUse(const Mesh& mesh) : place(mesh.position.size(), kUnused) {
-    for (const Triangle& triangle : mesh.triangles) {
-      for (const std::uint32_t corner : triangle) use(corner);
-    }
-    for (const auto& line : mesh.lines) {
-      for (const std::uint32_t corner : line) use(corner);
-    }
-  }
-
- private:
-  void use(std::uint32_t corner) {
-    if (place[corner] != kUnused) return;
-    place[corner] = static_cast<std::uint32_t>(corners.size());
-    corners.push_back(corner);
-  }
-};
-
 dvec3 normal_of(const SurfacePoint& point, bool flip) {
   const dvec3 n = glm::cross(point.r_u, point.r_v) * (flip ? -1.0 : 1.0);
   return n / std::hypot(n.x, n.y, n.z);
@@ -117,16 +116,16 @@ bool is_near(const dvec3& a, const dvec3& b, double within) {
 PageMesh page_mesh(const Scene& scene, const SurfaceSpec& spec, const Mesh& mesh, double within) {
   const Surface surface = prepare_surface(scene, spec).surface;
   const Domain& d = surface.domain;
-  const FirstUse order(mesh);
+  const PageTriangles order = page_triangles(mesh);
   std::vector<dvec2> exact;
   for (const std::uint32_t corner : order.corners) exact.push_back(mesh.uv[corner]);
   take_own_parameters(surface, exact);
-  std::array<std::vector<std::uint16_t>, 2> words;
+  std::array<std::vector<std::int64_t>, 2> steps;
   std::vector<dvec2> rounded;
   for (const dvec2& uv : exact) {
-    words[0].push_back(word_of(uv.x, d.u0, d.u1));
-    words[1].push_back(word_of(uv.y, d.v0, d.v1));
-    rounded.push_back(d.at(dvec2(words[0].back(), words[1].back()) / kMostWord));
+    steps[0].push_back(step_of(uv.x, d.u0, d.u1));
+    steps[1].push_back(step_of(uv.y, d.v0, d.v1));
+    rounded.push_back(d.at(dvec2(steps[0].back(), steps[1].back()) / kSteps));
   }
   const std::vector<SurfacePoint> points = evaluate(surface, rounded);
   const std::vector<dvec3> there = evaluate_positions(surface, exact);
@@ -136,17 +135,9 @@ PageMesh page_mesh(const Scene& scene, const SurfaceSpec& spec, const Mesh& mesh
   for (const dvec3& p : mesh.contours.position) result.box.add(p);
   Bytes bytes;
   bytes.varint(order.corners.size());
-  bytes.words(words[0]);
-  bytes.words(words[1]);
-
   bytes.varint(mesh.triangles.size());
-  std::uint32_t next = 0;
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const std::uint32_t corner : triangle) {
-      bytes.varint(next - order.place[corner]);
-      if (order.place[corner] == next) ++next;
-    }
-  }
+  for (const std::uint32_t code : order.codes) bytes.varint(code);
+  for (const auto& all : steps) write_steps(bytes, all, order.guesses);
 
   std::vector<std::uint32_t> baked;
   std::vector<dvec3> positions;

@@ -1,5 +1,5 @@
 // The meshes: bytes in base64, deflated. Numbers of 16 bits are differences, low bytes first, then
-// high bytes; indices are varints.
+// high bytes; indices and steps of parameters are varints.
 async function unpack(text) {
   const packed = Uint8Array.from(atob(text), c => c.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
@@ -32,11 +32,15 @@ async function unpack(text) {
   const chains = read => Array.from({length: varint()}, () => Array.from({length: varint()}, read));
   for (const s of scene.surfaces) {
     const count = varint();
-    s.uv = [words(count), words(count)];
-    let next = 0;
-    s.triangles = Uint32Array.from({length: 3 * varint()}, () => {
-      const back = varint();
-      return back ? next - back : next++;
+    const [triangles, guesses] = walk(varint(), varint);
+    s.triangles = triangles;
+    s.uv = [0, 1].map(() => {
+      const steps = [];
+      for (let i = 0; i < count; ++i) {
+        const [a, b, c] = guesses[i] || [i - 1, 0, 0];
+        steps[i] = signed() + (steps[a] + steps[b] - steps[c] || 0);
+      }
+      return steps;
     });
     let corner = 0;
     s.known = Array.from({length: varint()}, () => corner += varint());
@@ -54,4 +58,32 @@ async function unpack(text) {
   }
   scene.maps = scene.scales.map(() => bytes.slice(at, at += 768));
   if (scene.pictures) await unpackPictures(bytes, at);
+}
+
+// The triangles, and from which corners each one is guessed, as page_triangles.h has it: 0 says that
+// a side has no other triangle, 1 names the next corner, 2 the one behind on the border, 3 and more
+// those before. The triangle at the side on top of `gates` comes next.
+function walk(count, code) {
+  const triangles = [], guesses = [], gates = [], before = [], after = [];
+  let next = 0;
+  const corner = (c, gate) => c > 2 ? next + 3 - c : c > 1 ? before[gate[0]] : (guesses[next] = gate, next++);
+  const take = (a, b, c) => {
+    triangles.push(a, b, c);
+    [[a, b, c], [c, a, b], [b, c, a]].filter(([x, y]) => after[y] != x || (after[y] = null)).forEach(gate => {
+      const [x, y] = gate;
+      after[x] = y;
+      before[y] = x;
+      gates.push(gate);
+    });
+  };
+  while (triangles.length < 3 * count || gates.length) {
+    const gate = gates.pop();
+    if (!gate) {
+      take(corner(code()), corner(code()), corner(code()));
+    } else if (after[gate[0]] == gate[1]) {
+      const c = code();
+      if (c) take(gate[1], gate[0], corner(c, gate));
+    }
+  }
+  return [triangles, guesses];
 }

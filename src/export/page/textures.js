@@ -34,12 +34,12 @@ function glPicture(gl, {picture, wrap, smooth}) {
 }
 
 // Places on the texture of a surface's corners, 0 to 1.
-const placesOf = s => Float32Array.from({length: 2 * s.uv[0].length}, (_, i) => s.uv[i % 2][i >> 1] / 65535);
+const placesOf = s => Float32Array.from({length: 2 * s.uv[0].length}, (_, i) => s.uv[i % 2][i >> 1] / 65536);
 
 // The colour in the middle of a triangle.
 function texelOf(s, [a, b, c], color) {
   const {picture, wrap, scale, dark} = s.texture, image = scene.pictures?.[picture];
-  const place = s.uv.map((uv, k) => scale[k] * (uv[a] + uv[b] + uv[c]) / 3 / 65535);
+  const place = s.uv.map((uv, k) => scale[k] * (uv[a] + uv[b] + uv[c]) / 3 / 65536);
   if (!image) return (Math.floor(place[0]) + Math.floor(place[1])) % 2 ? times(color, dark) : color;
   image.pixels ||= pixelsOf(image, 1).getContext('2d').getImageData(0, 0, image.width, image.height).data;
   const [x, y] = place.map((t, k) => {
