@@ -56,8 +56,7 @@ TEST_F(Limits, APictureOfManyNodesTakesMemoryInProportionToThem) {
       tables += "[[node]]\nname = \"" + name + "\"\n";
     }
     std::ofstream(path("nodes.toml")) << "[[surface]]\nz = \"0\"\nin = [" + names + "]\n" + tables;
-    const Outcome run =
-        saddle({"nodes.toml", "-q", "-s", "16x12", "-o", "a.png", "--report", "-"});
+    const Outcome run = saddle({"nodes.toml", "-q", "-s", "16x12", "-o", "a.png", "--report", "-"});
     EXPECT_EQ(run.status, 0) << run.err;
     return nlohmann::json::parse(run.out)["peak_memory_bytes"].get<double>();
   };

@@ -277,7 +277,7 @@ void parse_command_line(int argc, const char* const* argv, CommandLine& line) {
   }
   if (line.run.help || line.run.version) return;
   check_given_options(line);
-  check_segments(line);
+  if (line.command != Command::List) check_segments(line);
 }
 
 }  // namespace saddle

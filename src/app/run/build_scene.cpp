@@ -17,6 +17,7 @@
 #include "scene/model/gallery.h"
 #include "scene/model/theme.h"
 #include "scene/options/resolve.h"
+#include "scene/options/scene_limits.h"
 
 namespace saddle {
 namespace {
@@ -149,7 +150,9 @@ void read_stroke(const Segment& segment, const ParameterNames& parameters, Strok
     const std::string& argument = segment.arguments[i];
     if (is_assignment(argument)) {
       assignments.push_back(argument);
-      const bool is_own = assign(stroke, on_surface(parse_definition(argument), parameters));
+      const Definition given = parse_definition(argument);
+      // A range is a mistake, and keeps the name that was typed.
+      const bool is_own = assign(stroke, is_range(given) ? given : on_surface(given, parameters));
       if (!is_own && alone) assign(object.scene, argument);
       if (!is_own && !alone) object.shared.push_back(argument);
       continue;
@@ -287,7 +290,13 @@ Scene build_scene(const CommandLine& line) {
     if (option->name != "theme") apply_option(*option, text, scene);
   }
   apply_object_options(objects, scene);
-  return resolve(std::move(scene));
+  check_counts(scene);
+  scene = resolve(std::move(scene));
+  // A lone object was checked where its file was read, or its formulas have bounds of their own.
+  if (objects.size() > 1) {
+    check_formulas(scene, [](const std::string&, const std::function<void()>& bind) { bind(); });
+  }
+  return scene;
 }
 
 std::string scene_file_of(const CommandLine& line) {

@@ -54,8 +54,8 @@ void add_material_needs(SideMaterials materials, bool emission, ShaderNeeds& nee
         needs.two_sided && !has_own_color && !same(materials.front.diffuse, materials.back.diffuse);
     return;
   }
-  needs.specular =
-      !is_black(materials.front.specular) || (needs.two_sided && !is_black(materials.back.specular));
+  needs.specular = !is_black(materials.front.specular) ||
+                   (needs.two_sided && !is_black(materials.back.specular));
   needs.emission =
       emission && (!is_black(materials.front.emission) || !is_black(materials.back.emission));
   const bool is_same = has_own_color ? same_but_for_colors(materials.front, materials.back)

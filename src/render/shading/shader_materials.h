@@ -7,7 +7,7 @@
 
 namespace saddle {
 
-/// Of a surface, or of a part of one.
+/// The two materials of a surface, or of a part of one.
 struct SideMaterials {
   const Material& front;
   const Material& back;
