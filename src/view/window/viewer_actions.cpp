@@ -89,7 +89,7 @@ bool Viewer::act_on_files(Action action) {
       saver_.save_picture(model_.scene_to_save());
       return true;
     case Action::SavePage:
-      saver_.save_page(model_.scene_to_save());
+      write_file({.path = "page.html", .replaces = false});
       return true;
     case Action::SaveScene: {
       const auto path = save_scene(model_.scene_to_save());
@@ -198,7 +198,7 @@ void Viewer::list_exports() {
 
 void Viewer::write_file(const Export& file) {
   exporter_.write(model_.scene_to_save(), file);
-  say("writing " + file.path.string());
+  say("writing " + (file.replaces ? file.path.string() : "a page"));
 }
 
 // --- scenes
