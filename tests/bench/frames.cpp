@@ -140,12 +140,10 @@ void type(Viewer& viewer, char letter) {
   viewer.receive(event);
 }
 
-/// From the last letter of a formula to the picture of its first mesh, without OpenGL's part.
-double edit(const std::string& name) {
-  Viewer viewer(setup_of({name}));
-  rest(viewer);
+/// Types to the end of the first surface's formula z.
+void enter_formula(Viewer& viewer, const std::string& text) {
   Event event;
-  event.place = {200, 116};  // z
+  event.place = {200, 116};
   viewer.receive(event);
   for (const auto kind : {Event::Kind::Press, Event::Kind::Release}) {
     event.kind = kind;
@@ -154,7 +152,14 @@ double edit(const std::string& name) {
   }
   constexpr int kKeyEnd = 269;
   press(viewer, kKeyEnd);
-  type(viewer, '+');
+  for (const char letter : text) type(viewer, letter);
+}
+
+/// From the last letter of a formula to the picture of its first mesh, without OpenGL's part.
+double edit(const std::string& name) {
+  Viewer viewer(setup_of({name}));
+  rest(viewer);
+  enter_formula(viewer, "+");
   rest(viewer);
   const auto shown = viewer.model().meshes();
   const Spent before = viewer.spent();
@@ -191,17 +196,7 @@ void letters() {
   constexpr int kLetters = 24;
   Viewer viewer(setup_of({"torus", "-s", "996x770"}));
   rest(viewer);
-  Event event;
-  event.place = {200, 116};  // z
-  viewer.receive(event);
-  for (const auto kind : {Event::Kind::Press, Event::Kind::Release}) {
-    event.kind = kind;
-    viewer.receive(event);
-    viewer.step();
-  }
-  constexpr int kKeyEnd = 269;
-  press(viewer, kKeyEnd);
-  for (const char letter : {'+', '0', '.'}) type(viewer, letter);
+  enter_formula(viewer, "+0.");
   rest(viewer);
   std::vector<double> times;
   for (int i = 0; i < kLetters; ++i) {

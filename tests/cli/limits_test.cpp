@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "base/file.h"
@@ -42,6 +44,25 @@ TEST_F(Limits, APictureWithLittleMemoryIsTheSameOrNotThere) {
       EXPECT_TRUE(contains(run.err, "saddle: ")) << run.err;
     }
   }
+}
+
+TEST_F(Limits, APictureOfManyNodesTakesMemoryInProportionToThem) {
+  const auto peak = [&](int nodes) {
+    std::string names;
+    std::string tables;
+    for (int i = 0; i < nodes; ++i) {
+      const std::string name = std::to_string(i);
+      names += "\"" + name + "\",";
+      tables += "[[node]]\nname = \"" + name + "\"\n";
+    }
+    std::ofstream(path("nodes.toml")) << "[[surface]]\nz = \"0\"\nin = [" + names + "]\n" + tables;
+    const Outcome run = saddle({"nodes.toml", "-q", "-s", "16x12", "-o", "a.png", "--report", "-"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return nlohmann::json::parse(run.out)["peak_memory_bytes"].get<double>();
+  };
+  // A node takes a few kilobytes. A list of all names for each node would take 32 bytes each, 288
+  // megabytes in all.
+  EXPECT_LT(peak(3000) - peak(10), 100e6);
 }
 
 TEST_F(Limits, APictureTakesNoThreads) {

@@ -16,6 +16,12 @@ constexpr MessageRow kRows[] = {
      "give one of them another name", "z=a*u a=1 + z=b*v b=2 -o a.toml"},
     {"z=u*t t=0:1 + z=v t=0:2 -o a.toml", "argument: two definitions of 't': t=0:1 and t=0:2",
      "leave one of them out", "z=u*t t=0:1 + z=v -o a.toml"},
+    {"torus curve u=s v=s -o a.toml", "a curve beside a surface stands after a '+'",
+     "torus + curve u=s", "torus + curve u=s v='2*s' s=0:tau -o a.toml"},
+    {"z=u*v curve u=s v=s -o a.toml", "a curve beside a surface stands after a '+'",
+     "torus + curve u=s", "z=u*v + curve u=s v=s -o a.toml"},
+    {"torus point 1,2,3 -o a.toml", "a point beside a surface stands after a '+'",
+     "torus + point 1,2,3", "torus + point 1,2,3 -o a.toml"},
     {"torus k=3 + sphere -o a.toml", "argument: torus has no 'k'", "known names: R r x y z u v t",
      "torus r=0.3 + sphere -o a.toml"},
     {"torus r=0.2 + z=u r=0.3 R=1 r=4 -o a.toml", "argument: 'r' is given twice",
@@ -44,6 +50,9 @@ constexpr MessageRow kRows[] = {
     {"curve -o a.toml", "the curve has no place", "x='cos(s)'", ""},
     {"curve x=s u=0:1 -o a.toml", "u: a curve has a range of s", "write s=0:1",
      "curve x=s s=0:1 -o a.toml"},
+    {"z=p*q p=0:1 q=0:1 + curve p=0:1 -o a.toml",
+     "p: a curve has a range of s, and of t, but none of p", "write s=0:1",
+     "z=p*q p=0:1 q=0:1 + curve p=s q=s s=0:1 -o a.toml"},
     {"curve x=s s=3 -o a.toml", "s: a range is MIN:MAX", "s=0:2*pi",
      "curve x=s s=0:2*pi -o a.toml"},
     {"curve x=s foo -o a.toml", "'foo' is no part of a curve", "curve x='cos(s)'", ""},
@@ -68,6 +77,22 @@ constexpr MessageRow kRows[] = {
      "torus + curve u=s v=0 s=0:2*pi -o a.ply"},
     {"point 1,2,3 4,5,6 -o a.toml", "'4,5,6' is no part of a point", "point u=1 v=2", ""},
 };
+
+TEST_F(Messages, OfTooManyObjectsAreThoseOfSceneFiles) {
+  std::vector<std::string> many{"-o", "a.toml", "z=u"};
+  for (int i = 0; i < 2000; ++i) many.insert(many.end(), {"+", "z=u"});
+  const Outcome objects = saddle(many);
+  EXPECT_TRUE(error_of(objects, 2).starts_with("saddle: 2001 surfaces are too many\n"))
+      << objects.err;
+  std::vector<std::string> longest{"-o", "a.toml", "z=u"};
+  for (int i = 0; i < 40; ++i) {
+    longest.insert(longest.end(),
+                   {"+", "z=" + std::to_string(i) + "*sum(sin(n*u)*cos(n*v),n=1:9000)"});
+  }
+  const Outcome formulas = saddle(longest);
+  EXPECT_TRUE(contains(error_of(formulas, 2), "the formulas of the scene are too long together"))
+      << formulas.err;
+}
 
 TEST_F(Messages, OfObjectsNameAWayOutThatWorks) {
   expect_errors(kRows, 2);

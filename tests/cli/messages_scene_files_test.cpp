@@ -243,6 +243,20 @@ constexpr MessageRow kNodesOfSecond[] = {
      "name that scene first", "torus + node.toml -o a.toml"},
 };
 
+constexpr MessageRow kOwnParameters[] = {
+    {"own.toml r=0.3 -o a.toml", "argument: the scene has no 'r' of its own",
+     "surface 'two' has one, which its file alone changes: params = { r = ... }",
+     "own.toml k=3 -o a.toml"},
+    {"own.toml q=0.3 -o a.toml", "argument: the scene has no 'q'", "known names: k x y z u v t",
+     "own.toml k=3 -o a.toml"},
+};
+
+TEST_F(SceneFileMessages, OfOverridesTellWhoseAParameterIs) {
+  std::ofstream(path("own.toml")) << "[params]\nk = 2\n[[surface]]\nz = 'k*u'\n[[surface]]\n"
+                                     "name = 'two'\nz = 'r*u'\nparams = { r = 1 }\n";
+  expect_errors(kOwnParameters, 2);
+}
+
 TEST_F(SceneFileMessages, OfTwoFilesWithNodes) {
   std::ofstream(path("node.toml"))
       << "[[surface]]\nz = \"u\"\nin = \"w\"\n[[node]]\nname = \"w\"\n";

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <thread>
+#include <utility>
 
 #include "base/image_png.h"
 #include "wait_for_child.h"
@@ -93,7 +94,11 @@ void ViewerTest::SetUp() {
 
 void ViewerTest::TearDown() {
   if (viewer_ > 0) end(viewer_);
-  end(server_);
+  end_display();
+}
+
+void ViewerTest::end_display() {
+  end(std::exchange(server_, 0));
 }
 
 void ViewerTest::start(std::vector<std::string> arguments) {

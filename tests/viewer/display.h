@@ -33,6 +33,8 @@ class ViewerTest : public ::testing::Test {
   /// Runs saddle to its end, without a display, or on this one.
   int headless(const std::vector<std::string>& arguments) { return run(arguments, {}); }
   int run(const std::vector<std::string>& arguments, const std::string& display);
+  /// Ends the display under the window.
+  void end_display();
   /// What the display says of its dots per inch, for those who ask from now on.
   void set_dots_per_inch(int dots) const;
 

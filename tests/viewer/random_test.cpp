@@ -89,7 +89,7 @@ class RandomHand {
     }
     click({700, 300}, 1);
     while (viewer_.has_events()) viewer_.step();
-    if (viewer_.model().playing || viewer_.model().played()) press_key_named("Space");
+    if (viewer_.model().view().playing || viewer_.model().played()) press_key_named("Space");
     if (viewer_.model().view().normals) press_key_named("n");
   }
 
@@ -274,8 +274,8 @@ class RandomHands : public ViewerTest {
 
   static std::string describe(const Viewer& viewer) {
     const Model& model = viewer.model();
-    return std::string(model.playing ? "playing " : "") + (model.is_meshing() ? "meshing " : "") +
-           (model.next_pass() ? "refining " : "") +
+    return std::string(model.view().playing ? "playing " : "") +
+           (model.is_meshing() ? "meshing " : "") + (model.next_pass() ? "refining " : "") +
            (viewer.drawing().is_at_rest() ? "" : "drawing ") + write_scene(model.scene());
   }
 
@@ -300,15 +300,14 @@ double megabytes() {
   return static_cast<double>(resident) * 4096 / (1 << 20);
 }
 
-/// What undo and redo are about: a hand's way with the camera is no change, nor is the moment.
+/// What undo and redo are about: all but the window's size.
 std::string undone_things(const Model& model) {
   Scene scene = model.scene();
-  scene.camera = {};
-  scene.t = 0;
   scene.picture.width = scene.picture.height = 1;
   const ViewState& view = model.view();
   const std::string looks = std::string(view.grid ? "g" : "") + (view.wireframe ? "w" : "") +
-                            (view.normals ? "n" : "") + (view.turntable ? "t" : "");
+                            (view.normals ? "n" : "") + (view.turntable ? "t" : "") +
+                            (view.panel ? "p" : "");
   return write_scene(scene) + looks;
 }
 

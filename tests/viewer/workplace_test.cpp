@@ -18,6 +18,7 @@
 #include "export/page/page.h"
 #include "paths.h"
 #include "scene/model/gallery.h"
+#include "scene/toml/scene_file.h"
 #include "view/window/viewer.h"
 #include "viewer/display.h"
 
@@ -42,6 +43,27 @@ int differing_pixels(const Image& a, const Image& b) {
   return count;
 }
 
+/// While it lives, nothing can be written into the current folder, nor is there one for work.
+class NoPlace {
+ public:
+  explicit NoPlace(const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder / "gone");
+    std::filesystem::current_path(folder / "gone");
+    std::filesystem::remove(folder / "gone");
+    std::filesystem::create_directories(state_.parent_path());
+    std::ofstream(state_) << "no folder";
+  }
+  ~NoPlace() {
+    std::filesystem::current_path(state_.parent_path());
+    std::filesystem::remove(state_);
+  }
+  NoPlace(const NoPlace&) = delete;
+  NoPlace& operator=(const NoPlace&) = delete;
+
+ private:
+  std::filesystem::path state_ = state_directory();
+};
+
 /// The viewer in this process, with events that are made up.
 class Workplace : public ViewerTest {
  protected:
@@ -64,6 +86,7 @@ class Workplace : public ViewerTest {
     setup.scene.picture.width = 500;
     setup.scene.picture.height = 400;
     setup.threads = 1;
+    setup.program = program_path();
     return setup;
   }
   static Scene entry(const char* name) { return gallery_scene(*find_gallery_entry(name)); }
@@ -127,6 +150,24 @@ class Workplace : public ViewerTest {
     key(viewer, "Return", kReturn);
   }
 
+  static void press_at(Viewer& viewer, const dvec2& place) {
+    for (const auto kind : {Event::Kind::Move, Event::Kind::Press, Event::Kind::Release}) {
+      Event event;
+      event.kind = kind;
+      event.place = place;
+      viewer.receive(event);
+    }
+    while (viewer.has_events()) viewer.step();
+  }
+
+  /// The formula z of another window's work, which is there now.
+  static std::string work_brought_back(Viewer& viewer) {
+    EXPECT_TRUE(rests(viewer));
+    choose(viewer, "Ctrl-P", "unsaved");
+    const Scene& scene = viewer.model().scene();
+    return scene.surfaces.size() == 1 ? scene.surfaces[0].z : "nothing";
+  }
+
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(path(name)) << text;
   }
@@ -166,6 +207,7 @@ TEST_F(Workplace, OpensFilesByListAndByDrop) {
   write("a.toml", "title = \"first\"\n[[surface]]\nz = \"u\"\n");
   write("b.toml", "title = \"second\"\n[[surface]]\nz = \"v\"\n");
   write("c.toml", "title = \n");
+  write("d.png", std::string("\x89PNG\r\n\x1A\n\0\0\0\xFF", 12));
   Viewer viewer(setup_of(entry("torus")));
   ASSERT_TRUE(rests(viewer));
   choose(viewer, "Ctrl-O", "a.t");
@@ -173,8 +215,10 @@ TEST_F(Workplace, OpensFilesByListAndByDrop) {
   drop(viewer, path("b.toml"));
   EXPECT_EQ(viewer.model().scene().title, "second");
   for (const std::string& bad :
-       {path("c.toml").string(), path("none").string(), std::string("/")}) {
+       {path("c.toml").string(), path("d.png").string(), path("none").string(), std::string("/"),
+        std::string("/dev/zero")}) {
     drop(viewer, bad);
+    EXPECT_NE(viewer.message(), "") << bad;
     EXPECT_EQ(viewer.model().scene().title, "second") << bad;
   }
   write("b.toml", "title = \"third\"\n[[surface]]\nz = \"v\"\n");
@@ -205,10 +249,7 @@ TEST_F(Workplace, BringsUnsavedWorkBack) {
   act("key ctrl+q");
   ASSERT_EQ(status(), 0);
   Viewer viewer(setup_of(entry("torus")));
-  ASSERT_TRUE(rests(viewer));
-  choose(viewer, "Ctrl-P", "unsaved");
-  ASSERT_EQ(viewer.model().scene().surfaces.size(), 1U);
-  EXPECT_EQ(viewer.model().scene().surfaces[0].z, "u*v+7");
+  EXPECT_EQ(work_brought_back(viewer), "u*v+7");
   EXPECT_FALSE(Session().left_work());
 }
 
@@ -220,12 +261,72 @@ TEST_F(Workplace, BringsWorkWithAMistakeBack) {
   act("key ctrl+q");
   ASSERT_EQ(status(), 0);
   Viewer viewer(setup_of(entry("torus")));
-  ASSERT_TRUE(rests(viewer));
-  choose(viewer, "Ctrl-P", "unsaved");
-  ASSERT_EQ(viewer.model().scene().surfaces.size(), 1U);
-  EXPECT_EQ(viewer.model().scene().surfaces[0].z, "u*v+sqrt(kk");
+  EXPECT_EQ(work_brought_back(viewer), "u*v+sqrt(kk");
   EXPECT_TRUE(rests(viewer));
   EXPECT_TRUE(viewer.model().error());
+}
+
+TEST_F(Workplace, KeepsWorkOfTheLastMomentWhereTheDisplayGoes) {
+  open({"z=u*v"});
+  enter_field(2);
+  const Image before = screenshot();
+  act("type '+7'");
+  ASSERT_TRUE(eventually([&] { return screenshot().rgba != before.rgba; }));
+  end_display();  // before a second has passed
+  EXPECT_EQ(status(), 1);
+  EXPECT_NE(standard_error().find("the display has gone"), std::string::npos) << standard_error();
+  const auto work = Session().left_work();
+  ASSERT_TRUE(work);
+  EXPECT_NE(read_file(*work).find("u*v+"), std::string::npos) << read_file(*work);
+}
+
+TEST_F(Workplace, TellsOfAPlaceThatTakesNoFileAndLosesNoWork) {
+  write("a.toml", "[[surface]]\nz = \"u\"\n");
+  Viewer viewer(setup_of(load_scene(path("a.toml"))));
+  ASSERT_TRUE(rests(viewer));
+  const auto has_left = [] {
+    return std::filesystem::is_directory(state_directory()) &&
+           !std::filesystem::is_empty(state_directory());
+  };
+  {
+    const NoPlace none(folder_);
+    for (const char* save : {"s", "S"}) {
+      type(viewer, save);
+      ASSERT_TRUE(
+          until(viewer, [&] { return viewer.message().find("annot") != std::string::npos; }))
+          << save << viewer.message();
+      key(viewer, "Escape", kEscape);
+      EXPECT_EQ(viewer.message(), "");
+    }
+    type(viewer, "f");
+    ASSERT_TRUE(until(viewer, [&] { return viewer.message().starts_with("unsaved work is not"); }));
+    EXPECT_FALSE(has_left());
+    type(viewer, "g");
+    EXPECT_FALSE(viewer.model().view().grid) << "a message takes no keys";
+    key(viewer, "Ctrl-Q");
+    EXPECT_FALSE(viewer.is_to_end()) << "the first time it is told";
+    EXPECT_TRUE(viewer.message().starts_with("unsaved work would be lost")) << viewer.message();
+    ASSERT_TRUE(until(viewer, [&] { return viewer.message().empty(); })) << "by itself";
+  }
+  key(viewer, "Ctrl-Q");
+  EXPECT_TRUE(viewer.is_to_end());
+  EXPECT_TRUE(has_left()) << "there is a place again";
+}
+
+TEST_F(Workplace, StandsGarbageWhereverItIsTyped) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  const std::string first = write_scene(viewer.model().scene());
+  for (int y = 65; y < 390; y += 25) {  // fields, buttons, headers, which open
+    press_at(viewer, {200, double(y)});
+    type(viewer, "]\"1e999\xC3\xA4,");
+  }
+  EXPECT_TRUE(rests(viewer)) << "it is there still";
+  press_at(viewer, {600, 200});
+  while (viewer.model().history().has_past()) key(viewer, "Ctrl-Z");
+  EXPECT_EQ(write_scene(viewer.model().scene()), first);
+  EXPECT_TRUE(rests(viewer));
+  EXPECT_FALSE(viewer.model().error());
 }
 
 TEST_F(Workplace, WritesFilesOfAnyFormat) {
@@ -292,6 +393,9 @@ TEST_F(Workplace, SavesAPageOfWhatItShows) {
   const auto scene = scene_in_page(page, "torus.html");
   ASSERT_TRUE(scene);
   EXPECT_NE(scene->find("r = 0.8"), std::string::npos) << *scene;
+  for (int i = 0; i < 2; ++i) choose(viewer, "Ctrl-P", "save page");
+  ASSERT_TRUE(until(viewer, [&] { return std::filesystem::exists("torus-3.html"); }));
+  EXPECT_EQ(read_file("torus.html"), page) << "nothing is replaced";
 }
 
 TEST_F(Workplace, KeepsNoWorkThatIsSaved) {
@@ -319,7 +423,7 @@ TEST_F(Workplace, StaysAtRestWhereNothingCouldPlay) {
   Viewer viewer(setup_of(entry("torus")));
   ASSERT_TRUE(rests(viewer));
   key(viewer, "Space");
-  EXPECT_FALSE(viewer.model().playing);
+  EXPECT_FALSE(viewer.model().view().playing);
   EXPECT_TRUE(rests(viewer));
 }
 

@@ -34,6 +34,10 @@ std::string form(const Option& option) {
 
 /// Throws Error (Input) with the nearest option.
 [[noreturn]] void refuse_unknown(const std::string& name) {
+  if (name.find_first_of("0123456789.") == 1) {
+    throw Error(Status::Input, "unknown option '" + name + "'", {},
+                "the numbers of a value have commas between, and no spaces: --view 1,-2,2");
+  }
   std::vector<std::string> names;
   for (const Option& option : options()) {
     if (option.is_option()) names.push_back(dashed(option));
@@ -139,7 +143,12 @@ class Splitter {
     given.push_back({&option, value.value_or("")});
   }
 
+  /// `--name`, and `-o` or `-s`; not `-v`, which may be an expression.
   static bool names_option(const std::string& argument) {
+    if (argument.size() == 2 && argument[0] == '-') {
+      const Option* const option = find_option(argument[1]);
+      return option != nullptr && !option->is_flag();
+    }
     return argument.starts_with("--") &&
            find_option(std::string_view(argument).substr(2)) != nullptr;
   }
@@ -268,7 +277,7 @@ void parse_command_line(int argc, const char* const* argv, CommandLine& line) {
   }
   if (line.run.help || line.run.version) return;
   check_given_options(line);
-  check_segments(line);
+  if (line.command != Command::List) check_segments(line);
 }
 
 }  // namespace saddle

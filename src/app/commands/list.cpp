@@ -9,10 +9,11 @@
 namespace saddle {
 
 void run_list(const CommandLine& line) {
-  if (!line.segments[0].arguments.empty()) {
+  const std::vector<std::string>& words = line.segments[0].arguments;
+  if (!words.empty() || line.segments.size() > 1) {
     throw Error(Status::Input,
-                "saddle list takes no arguments, not '" + line.segments[0].arguments[0] + "'", {},
-                "saddle show NAME prints a surface, saddle NAME -o FILE.png draws it");
+                "saddle list takes no arguments, not '" + (words.empty() ? "+" : words[0]) + "'",
+                {}, "saddle show NAME prints a surface, saddle NAME -o FILE.png draws it");
   }
   const bool describe = line.run.verbose || standard_output_is_terminal();
   std::size_t width = 0;

@@ -42,7 +42,15 @@ std::string difference_path(const std::string& reference) {
 }
 
 ReferenceCheck::ReferenceCheck(std::string path, double threshold)
-    : path_(std::move(path)), threshold_(threshold), reference_(read_png(path_).image) {}
+    : path_(std::move(path)), threshold_(threshold) {
+  std::error_code ignored;  // what cannot be looked up is reported by the reading
+  if (!std::filesystem::exists(path_, ignored)) {
+    throw Error(Status::Input, "there is no file " + path_,
+                {"--reference", path_, {0, path_.size()}},
+                "the picture to compare with is a PNG file, which -o FILE.png writes");
+  }
+  reference_ = read_png(path_).image;
+}
 
 std::string ReferenceCheck::compare() const {
   const bool same_size = picture_.width == reference_.width && picture_.height == reference_.height;

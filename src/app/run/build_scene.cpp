@@ -17,6 +17,7 @@
 #include "scene/model/gallery.h"
 #include "scene/model/theme.h"
 #include "scene/options/resolve.h"
+#include "scene/options/scene_limits.h"
 
 namespace saddle {
 namespace {
@@ -24,6 +25,16 @@ namespace {
 bool is_scene_file(const std::string& name) {
   std::error_code ignored;  // a name that cannot be looked up is no file
   return has_scene_extension(name) || std::filesystem::is_regular_file(name, ignored);
+}
+
+/// The word is no file, no surface of the gallery, and not the first one of its object.
+Error unknown_object(const std::string& name) {
+  if (name != "curve" && name != "point") return unknown_gallery_name(name);
+  const std::string object = name == "curve" ? "curve u=s v='2*s' s=0:tau" : "point 1,2,3";
+  return {Status::Input,
+          "a " + name + " beside a surface stands after a '+'",
+          {},
+          "for example saddle torus + " + object + " -o both.png"};
 }
 
 /// The scene of the argument without a `=`.
@@ -35,7 +46,7 @@ Scene named_scene(const std::string& name, const std::optional<Theme>& theme) {
     throw Error(Status::Input, "no surface is called '" + name + "'", {},
                 "did you mean --" + name + "? saddle list prints all names of surfaces");
   }
-  if (entry == nullptr) throw unknown_gallery_name(name);
+  if (entry == nullptr) throw unknown_object(name);
   return gallery_scene(*entry);
 }
 
@@ -88,7 +99,7 @@ bool is_common(const Segment& segment) {
                                      bool has_formulas) {
   for (const std::string& name : {first, second}) {
     if (name != "-" && !is_scene_file(name) && find_gallery_entry(name) == nullptr) {
-      throw unknown_gallery_name(name);
+      throw unknown_object(name);
     }
   }
   throw Error(Status::Input, "two scenes, '" + first + "' and '" + second + "'", {},
@@ -139,7 +150,9 @@ void read_stroke(const Segment& segment, const ParameterNames& parameters, Strok
     const std::string& argument = segment.arguments[i];
     if (is_assignment(argument)) {
       assignments.push_back(argument);
-      const bool is_own = assign(stroke, on_surface(parse_definition(argument), parameters));
+      const Definition given = parse_definition(argument);
+      // A range is a mistake, and keeps the name that was typed.
+      const bool is_own = assign(stroke, is_range(given) ? given : on_surface(given, parameters));
       if (!is_own && alone) assign(object.scene, argument);
       if (!is_own && !alone) object.shared.push_back(argument);
       continue;
@@ -277,7 +290,13 @@ Scene build_scene(const CommandLine& line) {
     if (option->name != "theme") apply_option(*option, text, scene);
   }
   apply_object_options(objects, scene);
-  return resolve(std::move(scene));
+  check_counts(scene);
+  scene = resolve(std::move(scene));
+  // A lone object was checked where its file was read, or its formulas have bounds of their own.
+  if (objects.size() > 1) {
+    check_formulas(scene, [](const std::string&, const std::function<void()>& bind) { bind(); });
+  }
+  return scene;
 }
 
 std::string scene_file_of(const CommandLine& line) {

@@ -2,8 +2,11 @@
 #include "app/run/outputs.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include "app/report/reference.h"
 #include "base/error.h"
@@ -13,10 +16,21 @@
 namespace saddle {
 namespace {
 
+/// Formats that saddle does not write, and the nearest that it does.
+constexpr std::array<std::pair<const char*, const char*>, 6> kSubstitutes = {{{"gltf", "glb"},
+                                                                              {"fbx", "glb"},
+                                                                              {"jpg", "png"},
+                                                                              {"jpeg", "png"},
+                                                                              {"webp", "png"},
+                                                                              {"eps", "pdf"}}};
+
 std::string known_formats(const std::string& word) {
   std::vector<std::string> names;
   for (const Format& format : formats()) names.emplace_back(format.extension);
-  const auto nearest = nearest_name(word, names);
+  std::optional<std::string> nearest = nearest_name(word, names);
+  for (const auto& [other, ours] : kSubstitutes) {
+    if (word == other) nearest = ours;
+  }
   return "known: " + extension_list() + (nearest ? "; did you mean '." + *nearest + "'?" : "");
 }
 

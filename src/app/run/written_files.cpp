@@ -47,10 +47,15 @@ class WrittenFiles {
 
 constexpr const char* kWayOut = "give each its own name";
 
+/// `./a.png` is a.png.
+std::string plain_path(const Output& output) {
+  return std::filesystem::path(output.path).lexically_normal().string();
+}
+
 /// The first of the outputs with this one's content and name: the later ones add nothing.
 const Output* first_alike(const std::vector<Output>& outputs, const Output& output) {
   return &*std::ranges::find_if(outputs, [&](const Output& other) {
-    return other.path == output.path && other.format == output.format;
+    return plain_path(other) == plain_path(output) && other.format == output.format;
   });
 }
 

@@ -95,7 +95,7 @@ ShaderNeeds needs_of(const PageScene& page, std::size_t surface, const ShaderNee
   if (spec.texture && !page.meshes[surface].triangles.empty()) {
     needs.textured = spec.texture.picture ? TextureUse::Picture : TextureUse::Checker;
   }
-  add_material_needs(spec, true, needs);
+  add_material_needs({spec.front, spec.back}, true, needs);
   return needs;
 }
 

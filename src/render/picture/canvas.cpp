@@ -56,14 +56,15 @@ void Canvas::draw(Renderer& renderer, const DrawnView& view, int width, int heig
   glFinish();
 }
 
-void Canvas::draw_part(Renderer& renderer, const DrawnView& view, const PixelRect& part) {
+bool Canvas::draw_part(Renderer& renderer, const DrawnView& view, const PixelRect& part) {
   const int n = finest_;
   fine_.fit(whole(n));
   const int bottom = height_ - (part.y + part.height);
   const Scissors scissors(n * part.x, n * bottom, n * part.width, n * part.height);
-  renderer.draw(view.scene, view.camera, whole(n), view.look);
+  const bool is_whole = renderer.draw(view.scene, view.camera, whole(n), view.look);
   glFinish();
-  add_part(part);
+  if (is_whole) add_part(part);
+  return is_whole;
 }
 
 /// Parts that stand side by side are one, and so are whole rows of them.

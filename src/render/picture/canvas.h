@@ -28,8 +28,8 @@ class Canvas {
             int finest);
 
   /// A part of the picture, which was coarse as a whole, with all of its samples. In all of its
-  /// parts it is the picture that draw() would have made.
-  void draw_part(Renderer& renderer, const DrawnView& view, const PixelRect& part);
+  /// parts it is the picture that draw() would have made. False: it has paused.
+  bool draw_part(Renderer& renderer, const DrawnView& view, const PixelRect& part);
   /// It has all parts.
   void finish() { is_coarse_ = false; }
 

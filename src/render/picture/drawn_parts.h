@@ -12,10 +12,11 @@
 
 namespace saddle {
 
-/// Triangles of a placed mesh that are drawn with the materials of `surface`.
+/// Triangles of a placed mesh that have the same two materials.
 struct DrawnPart {
   const PlacedMesh* item;
-  SurfaceSpec surface;
+  Material front;
+  Material back;
   std::size_t first = 0;
   std::size_t count = 0;
 };

@@ -128,24 +128,33 @@ void Layers::attach_all(const GlFramebuffer& framebuffer, const GlTexture& textu
               {}, "try a smaller --size, --antialias 1 or --opacity 1");
 }
 
-std::size_t Layers::draw(const Surfaces& surfaces) {
+std::optional<std::size_t> Layers::draw(const Surfaces& surfaces) {
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   const auto framebuffer = static_cast<GLuint>(bound);
-  clear(front_buffer_, kClear);
-  clear(depth_buffers_[1], kBeforeAll);
+  const Interruption& interruption = surfaces.interruption;
+  if (!interruption.is_over) {
+    clear(front_buffer_, kClear);
+    clear(depth_buffers_[1], kBeforeAll);
+    count_ = 0;
+  }
   const std::size_t seen = layers_seen(surfaces.least_opacity);
   const std::size_t most = std::min(seen, layers_worth(surfaces.triangles, width_, height_));
-  std::size_t count = 0;
-  while (count < most && find_layer(count, framebuffer, surfaces)) {
+  bool is_interrupted = false;
+  while (!is_interrupted && count_ < most && find_layer(count_, framebuffer, surfaces)) {
     shade_layer(surfaces);
     put_under();
-    ++count;
-    tell_share(static_cast<double>(count) / static_cast<double>(most));
+    ++count_;
+    tell_share(static_cast<double>(count_) / static_cast<double>(most));
+    is_interrupted = interruption.is_wanted && interruption.is_wanted();
   }
-  const bool is_cut = count == most && most < seen && find_layer(count, framebuffer, surfaces);
+  if (is_interrupted && !interruption.is_end) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    return std::nullopt;
+  }
+  const bool is_cut = count_ == most && most < seen && find_layer(count_, framebuffer, surfaces);
   put_over(framebuffer);
-  return is_cut ? count : 0;
+  return is_cut ? count_ : 0;
 }
 
 /// Everything that hides is in the depth buffer. Returns false if there is no layer any more.

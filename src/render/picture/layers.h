@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 #include "render/gl/gl.h"
 #include "render/gl/program.h"
@@ -15,6 +16,13 @@ namespace saddle {
 
 /// Layers behind each other that are drawn, at the most: each is a picture of its own.
 inline constexpr std::size_t kMostLayers = 1000;
+
+/// Many layers take long: a window may be asked for something else meanwhile.
+struct Interruption {
+  std::function<bool()> is_wanted;  ///< asked before each layer but the first; empty: never
+  bool is_end = false;              ///< of the picture, without the layers behind; else a pause
+  bool is_over = false;             ///< the last call has paused: go on with the same picture
+};
 
 /// Needs a current context. Scissors hold for layers, too.
 class Layers {
@@ -32,12 +40,14 @@ class Layers {
     std::function<void()> shade;
     double least_opacity = 0;   ///< of any of them; more than 0
     std::size_t triangles = 0;  ///< of all of them
+    Interruption interruption = {};
   };
 
   /// Puts the layers over what the bound framebuffer holds, which must have a depth of 24 bits.
   /// Returns how many it has drawn if some behind them, which would be seen, are left out: it draws
-  /// up to kMostLayers, the fewer the more triangles there are. Else 0.
-  std::size_t draw(const Surfaces& surfaces);
+  /// up to kMostLayers, the fewer the more triangles there are. Else 0. Nothing: it has paused, and
+  /// the bound framebuffer is as before.
+  std::optional<std::size_t> draw(const Surfaces& surfaces);
 
  private:
   void make_buffers();
@@ -62,6 +72,7 @@ class Layers {
   GlFramebuffer front_buffer_;
   GlVertexArray no_vertices_;
   GlQuery drawn_;
+  std::size_t count_ = 0;  ///< of the layers of this picture so far
   Program peel_;
   Program under_;
   Program over_;

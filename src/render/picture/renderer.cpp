@@ -109,7 +109,7 @@ std::vector<PlacedMesh> Renderer::items_of(const Scene& scene, const FittedCamer
   return items;
 }
 
-void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
+bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
                     const Look& look) {
   assert(meshes_.size() == scene.surfaces.size());
   Bounds bounds;
@@ -149,32 +149,37 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   // Letters blend into what is there: on nothing at all that must not darken them.
   const bool is_bare = background.a == 0 && see_through.empty() && !annotations.empty();
   if (is_bare) background = {ink.r, ink.g, ink.b, 0};
-  clear(background);
   glEnable(GL_DEPTH_TEST);
-  draw_surfaces(scene, hiding, lights, line, look);
-  if (!look.bare) {
-    if (look.lines) line_drawer_.draw_lines(scene, items, meshes_, viewport);
-    if (has_contours()) line_drawer_.draw_contours(scene, items, meshes_, viewport);
-    stroke_drawer_.draw(scene, meshes_, {camera, viewport, unit});
+  if (!look.interruption.is_over) {
+    clear(background);
+    draw_surfaces(scene, hiding, lights, line, look);
+    if (!look.bare) {
+      if (look.lines) line_drawer_.draw_lines(scene, items, meshes_, viewport);
+      if (has_contours()) line_drawer_.draw_contours(scene, items, meshes_, viewport);
+      stroke_drawer_.draw(scene, meshes_, {camera, viewport, unit});
+    }
+    if (marks_) {
+      PlacedMesh item({}, *marks_, camera, unit);
+      item.model_to_clip = to_rect * item.model_to_clip;
+      line_drawer_.draw_marks(*marks_, item, viewport);
+    }
+    if (!annotations.edges.empty()) line_drawer_.draw_box(annotations.edges, camera, viewport, ink);
   }
-  if (marks_) {
-    PlacedMesh item({}, *marks_, camera, unit);
-    item.model_to_clip = to_rect * item.model_to_clip;
-    line_drawer_.draw_marks(*marks_, item, viewport);
-  }
-  if (!annotations.edges.empty()) line_drawer_.draw_box(annotations.edges, camera, viewport, ink);
+  bool is_whole = true;
   if (!see_through.empty()) {
     const double least = std::ranges::min(see_through, {}, &PlacedMesh::opacity).opacity;
     std::size_t triangles = 0;
     for (const PlacedMesh& item : see_through) triangles += meshes_[item.surface].triangle_count();
-    const std::size_t cut_after = layers(viewport).draw(
-        {[&](Program& peel) { draw_depths(see_through, peel, line, look); },
-         [&] { draw_surfaces(scene, see_through, lights, line, look); }, least, triangles});
-    if (cut_after > 0 && (layers_drawn_ == 0 || cut_after < layers_drawn_)) {
-      layers_drawn_ = cut_after;
+    const auto cut_after =
+        layers(viewport).draw({[&](Program& peel) { draw_depths(see_through, peel, line, look); },
+                               [&] { draw_surfaces(scene, see_through, lights, line, look); },
+                               least, triangles, look.interruption});
+    is_whole = cut_after.has_value();
+    if (is_whole && *cut_after > 0 && (layers_drawn_ == 0 || *cut_after < layers_drawn_)) {
+      layers_drawn_ = *cut_after;
     }
   }
-  if (!annotations.empty()) {
+  if (is_whole && !annotations.empty()) {
     Program& program = line_drawer_.program();
     program.use();
     program.set("line_color", ink);
@@ -183,6 +188,7 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   }
   glUseProgram(0);  // a program that a caller remembers as used may be deleted
   check_gl();
+  return is_whole;
 }
 
 Layers& Renderer::layers(const Viewport& viewport) {
@@ -341,7 +347,8 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
   ShaderNeeds made_for;
   for (const DrawnPart& part : parts_of(scene, items, meshes_)) {
     const PlacedMesh& item = *part.item;
-    const SurfaceSpec& surface = part.surface;
+    const SurfaceSpec& surface = scene.surfaces[item.surface];
+    const SideMaterials materials{part.front, part.back};
     const Shading shading = shading_of(scene, surface);
     const bool is_unlit = shading == Shading::Unlit;
     if (is_unlit && !first) continue;
@@ -357,7 +364,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
       needs.textured = surface.texture.picture ? TextureUse::Picture : TextureUse::Checker;
     }
     needs.colored = meshes_[item.surface].color_range() && !surface.color.empty();
-    add_material_needs(surface, first, needs);
+    add_material_needs(materials, first, needs);
     if (program == nullptr || needs != made_for) {
       program = &surface_program(needs, surface.name);
       program->use();
@@ -373,7 +380,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
     if (needs.see_through) program->set("opacity", item.opacity);
     if (needs.colored) set_color(*program, scene, item.surface);
     if (needs.textured != TextureUse::None) set_texture(*program, surface);
-    set_materials(*program, surface, needs);
+    set_materials(*program, materials, needs);
     program->check_all_set();
     glFrontFace(item.mirrored ? GL_CW : GL_CCW);
     item.two_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);

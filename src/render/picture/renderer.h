@@ -30,9 +30,10 @@ namespace saddle {
 
 /// Settings of a picture that are not part of the scene: the viewer's.
 struct Look {
-  bool lines = true;       ///< the surfaces' grid lines
-  bool wireframe = false;  ///< the edges of the triangles in place of the triangles
-  bool bare = false;       ///< the surfaces alone: no lines, no curves, nothing written
+  bool lines = true;               ///< the surfaces' grid lines
+  bool wireframe = false;          ///< the edges of the triangles in place of the triangles
+  bool bare = false;               ///< the surfaces alone: no lines, no curves, nothing written
+  Interruption interruption = {};  ///< between see-through layers
 };
 
 /// Needs the same current context from the first to the last of its calls.
@@ -56,8 +57,9 @@ class Renderer {
   void remove_marks() { marks_.reset(); }
 
   /// Draws all meshes of a resolved scene where its nodes have them, with the materials of their
-  /// surfaces. Throws Error (Machine) for what OpenGL reports, and if there is no memory.
-  void draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
+  /// surfaces. Throws Error (Machine) for what OpenGL reports, and if there is no memory. False: it
+  /// has paused, and the same call, into the same framebuffer, goes on.
+  bool draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
             const Look& look = {});
 
   /// Differences of the pictures so far from what was asked for.

@@ -47,25 +47,25 @@ void set_material(Program& program, const std::string& side, const Material& mat
 
 }  // namespace
 
-void add_material_needs(const SurfaceSpec& surface, bool emission, ShaderNeeds& needs) {
+void add_material_needs(SideMaterials materials, bool emission, ShaderNeeds& needs) {
   const bool has_own_color = needs.colored || needs.textured == TextureUse::Picture;
   if (needs.unlit) {
     needs.two_materials =
-        needs.two_sided && !has_own_color && !same(surface.front.diffuse, surface.back.diffuse);
+        needs.two_sided && !has_own_color && !same(materials.front.diffuse, materials.back.diffuse);
     return;
   }
-  needs.specular =
-      !is_black(surface.front.specular) || (needs.two_sided && !is_black(surface.back.specular));
+  needs.specular = !is_black(materials.front.specular) ||
+                   (needs.two_sided && !is_black(materials.back.specular));
   needs.emission =
-      emission && (!is_black(surface.front.emission) || !is_black(surface.back.emission));
-  const bool is_same = has_own_color ? same_but_for_colors(surface.front, surface.back)
-                                     : same(surface.front, surface.back);
+      emission && (!is_black(materials.front.emission) || !is_black(materials.back.emission));
+  const bool is_same = has_own_color ? same_but_for_colors(materials.front, materials.back)
+                                     : same(materials.front, materials.back);
   needs.two_materials = needs.two_sided && !is_same;
 }
 
-void set_materials(Program& program, const SurfaceSpec& surface, const ShaderNeeds& needs) {
-  set_material(program, "front", surface.front, needs);
-  if (needs.two_materials) set_material(program, "back", surface.back, needs);
+void set_materials(Program& program, SideMaterials materials, const ShaderNeeds& needs) {
+  set_material(program, "front", materials.front, needs);
+  if (needs.two_materials) set_material(program, "back", materials.back, needs);
 }
 
 }  // namespace saddle

@@ -1,5 +1,6 @@
 // TOML to Scene, a function per table. Each says first which keys the table may have.
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 #include "base/error.h"
@@ -13,6 +14,7 @@
 #include "scene/options/lights.h"
 #include "scene/options/options.h"
 #include "scene/options/resolve.h"
+#include "scene/options/scene_limits.h"
 #include "scene/toml/scene_file.h"
 #include "scene/toml/toml_reader.h"
 #include "scene/toml/toml_writer.h"
@@ -279,73 +281,14 @@ Scene read_tables(TomlReader& reader, const TomlValue& root, const std::optional
   return scene;
 }
 
-/// Most surfaces, curves and points of a scene: so many points take half a minute.
-constexpr std::size_t kMostObjects = 20'000;
-/// Most surfaces of a scene: one that its limit of triangles stops takes a hundredth of a second.
-constexpr std::size_t kMostSurfaces = 2'000;
-/// Most operations of all formulas of a scene together: a surface is sampled at some ten thousand
-/// places before there is a mesh, and so many operations take some ten seconds there.
-constexpr std::size_t kMostOperations = 1'000'000;
-/// Most crossings of grid lines, of all surfaces together: 20,000 grids of 16x16 have 5 million.
-constexpr std::size_t kMostCrossings = 6'000'000;
-/// Most objects times definitions: each sees all definitions. So many take some seconds.
-constexpr std::size_t kMostSeen = 2'000'000;
-
-void check_size(const TomlReader& reader, const Scene& scene) {
-  const std::size_t objects = scene.surfaces.size() + scene.curves.size() + scene.points.size();
-  if (objects > kMostObjects) {
-    throw reader.source().error(
-        "", std::to_string(objects) + " surfaces, curves and points are too many", {0, 0},
-        "at most " + std::to_string(kMostObjects) + "; nodes draw one surface in many places");
-  }
-  if (scene.surfaces.size() > kMostSurfaces) {
-    throw reader.source().error(
-        "", std::to_string(scene.surfaces.size()) + " surfaces are too many", {0, 0},
-        "at most " + std::to_string(kMostSurfaces) + "; nodes draw one surface in many places");
-  }
-  std::size_t crossings = 0;
-  for (const SurfaceSpec& spec : scene.surfaces) {
-    crossings += static_cast<std::size_t>(spec.grid_u) * static_cast<std::size_t>(spec.grid_v);
-  }
-  if (crossings > kMostCrossings) {
-    throw reader.source().error("", "the grids of the surfaces have too many lines", {0, 0},
-                                "lines of u times lines of v, of all surfaces together, are at "
-                                "most " +
-                                    std::to_string(kMostCrossings));
-  }
-  const std::size_t definitions = scene.definitions.size();
-  if (definitions == 0 || objects <= kMostSeen / definitions) return;
-  throw reader.source().error("",
-                              std::to_string(objects) + " surfaces, curves and points with " +
-                                  std::to_string(definitions) + " definitions are too many",
-                              {0, 0}, "at most 2 million, the one times the other");
-}
-
 /// Checks what depends on the whole scene: formulas, ranges, nodes.
 void check_scene(const TomlReader& reader, const Scene& scene) {
   // Numbers may use x, y and z of the last surface.
   const std::string last = scene.surfaces.empty() ? "" : surface_prefix(scene.surfaces.size() - 1);
   const Scene resolved = reader.in_place([&] { return resolve(scene); }, last);
-  std::size_t operations = 0;
-  const auto count = [&](const Graph& graph) {
-    operations += graph.size();
-    if (operations <= kMostOperations) return;
-    throw reader.source().error("", "the formulas of the scene are too long together", {0, 0},
-                                "they have at most 1000000 operations, after definitions are put "
-                                "in");
-  };
-  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    reader.in_place([&] { count(bind_surface(resolved, resolved.surfaces[i]).graph); },
-                    surface_prefix(i));
-  }
-  for (std::size_t i = 0; i < scene.curves.size(); ++i) {
-    reader.in_place([&] { count(bind_curve(resolved, resolved.curves[i]).graph); },
-                    curve_prefix(i));
-  }
-  for (std::size_t i = 0; i < scene.points.size(); ++i) {
-    reader.in_place([&] { count(bind_point(resolved, resolved.points[i]).graph); },
-                    point_prefix(i));
-  }
+  check_formulas(resolved, [&](const std::string& prefix, const std::function<void()>& action) {
+    reader.in_place(action, prefix);
+  });
 }
 
 Scene read(const SourceText& source, const std::optional<Theme>& theme, bool is_draft) {
@@ -353,7 +296,7 @@ Scene read(const SourceText& source, const std::optional<Theme>& theme, bool is_
   TomlPlaces places(source);
   TomlReader reader(places);
   Scene scene = read_tables(reader, root, theme);
-  check_size(reader, scene);
+  reader.in_place([&] { check_counts(scene); });
   if (!is_draft) check_scene(reader, scene);
   return scene;
 }

@@ -232,7 +232,7 @@ bool assign(CurveSpec& curve, const Definition& definition) {
     return true;
   }
   if (is_range(definition)) {
-    throw Error(Status::Input, "a curve has a range of s, and of t",
+    throw Error(Status::Input, "a curve has a range of s, and of t, but none of " + name,
                 {name, definition.text, {0, definition.text.size()}}, "write s=" + definition.text);
   }
   const auto own = std::to_array<std::pair<const char*, std::string*>>({{"x", &curve.x},
@@ -342,15 +342,22 @@ bool has_name(const Scene& scene, const std::string& name) {
 }
 
 Error unknown_override(const Scene& scene, const std::string& assignment) {
+  const std::string wrong = parse_definition(assignment).name;
+  const Place place{"argument", assignment, name_span(assignment)};
+  // Scenes without a title of their own have the program's name.
+  const std::string subject = scene.title == Scene().title ? "the scene" : scene.title;
+  for (const SurfaceSpec& spec : scene.surfaces) {
+    if (std::ranges::find(spec.definitions, wrong, &Definition::name) == spec.definitions.end())
+      continue;
+    return {Status::Input, subject + " has no '" + wrong + "' of its own", place,
+            "surface '" + spec.name + "' has one, which its file alone changes: params = { " +
+                wrong + " = ... }"};
+  }
   const std::vector<std::string> names = names_of(scene);
-  const std::string name = parse_definition(assignment).name;
   std::string hint = "known names:";
   for (const std::string& known : names) hint += " " + known;
-  if (const auto nearest = nearest_name(name, names)) hint += "; did you mean '" + *nearest + "'?";
-  return {Status::Input,
-          scene.title + " has no '" + name + "'",
-          {"argument", assignment, name_span(assignment)},
-          hint};
+  if (const auto nearest = nearest_name(wrong, names)) hint += "; did you mean '" + *nearest + "'?";
+  return {Status::Input, subject + " has no '" + wrong + "'", place, hint};
 }
 
 void override_assignment(Scene& scene, const std::string& assignment) {

@@ -323,6 +323,11 @@ const auto& entries() {
   return kEntries;
 }
 
+/// sin(u)*cos(v), but not +v or my-surface
+bool looks_like_formula(const std::string& word) {
+  return word.find_first_of("(^") != std::string::npos && word.find('\'') == std::string::npos;
+}
+
 }  // namespace
 
 std::span<const GalleryEntry> gallery() {
@@ -361,10 +366,9 @@ Error unknown_gallery_name(const std::string& name) {
   Hint hint;
   const std::string meant = did_you_mean(similar_names(name, names));
   if (meant.empty()) {
-    std::string known = "known surfaces:";
-    for (const std::string& one : names) known += " " + one;
-    hint.add(known);
-    hint.add("a formula is NAME=EXPRESSION, in quotes if it has spaces: z='u + v'");
+    const std::string formula = looks_like_formula(name) ? name : "u + v";
+    hint.add("saddle list names the surfaces of the gallery");
+    hint.add("a formula is NAME=EXPRESSION, in quotes if it has spaces: z='" + formula + "'");
   } else {
     hint.add(meant + " saddle list prints all names");
   }

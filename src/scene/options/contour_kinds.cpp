@@ -92,6 +92,16 @@ std::string contour_text(const ContourSpec& contour) {
   return text;
 }
 
+void check_order(const std::string& name, const ColorEnds& ends) {
+  if (ends.low < double(ends.high) && ends.high - ends.low < 2 * std::numeric_limits<double>::max())
+    return;
+  const std::string text = expression_of(ends.low) + ":" + expression_of(ends.high);
+  const bool swapped = ends.low > double(ends.high);
+  throw Error(
+      Status::Input, "the first end must be less than the second", {name, text, {0, text.size()}},
+      swapped ? "write " + expression_of(ends.high) + ":" + expression_of(ends.low) : kEndsForm);
+}
+
 ColorEnds parse_ends(const Given& given) {
   const std::string& text = given.text;
   if (text == "symmetric") return {.symmetric = true};
@@ -101,8 +111,10 @@ ColorEnds parse_ends(const Given& given) {
     throw Error(Status::Input, "both ends are wanted", {given.option, text, {0, text.size()}},
                 kEndsForm);
   }
-  return {false, parse_expression(given, {0, *colon}),
-          parse_expression(given, {*colon + 1, text.size()})};
+  ColorEnds ends{false, parse_expression(given, {0, *colon}),
+                 parse_expression(given, {*colon + 1, text.size()})};
+  if (ends.low.text.empty() && ends.high.text.empty()) check_order(given.option, ends);
+  return ends;
 }
 
 }  // namespace
@@ -143,13 +155,7 @@ void ColorEndsOf::resolve(Resolver& resolver, const std::string& name) const {
   ColorEnds& ends = *surface->color_ends;
   resolver.number(name, ends.low, kAny);
   resolver.number(name, ends.high, kAny);
-  if (ends.low < double(ends.high) && ends.high - ends.low < 2 * std::numeric_limits<double>::max())
-    return;
-  const std::string text = expression_of(ends.low) + ":" + expression_of(ends.high);
-  const bool swapped = ends.low > double(ends.high);
-  throw Error(
-      Status::Input, "the first end must be less than the second", {name, text, {0, text.size()}},
-      swapped ? "write " + expression_of(ends.high) + ":" + expression_of(ends.low) : kEndsForm);
+  check_order(name, ends);
 }
 
 void Contours::parse(const Given& given) const {

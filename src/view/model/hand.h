@@ -13,7 +13,8 @@ class Hand {
  public:
   /// Takes hold: the left button (0) turns, any other and Shift move.
   void press(const Model& model, const dvec2& pixel, int button, bool shift);
-  void release(int button);
+  /// Lets go: what was moved since is one change.
+  void release(Model& model, int button);
 
   /// True if the camera has moved.
   bool move(Model& model, const dvec2& pixel) const;

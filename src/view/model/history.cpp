@@ -11,10 +11,10 @@ constexpr std::size_t kMostSteps = 1000;
 }  // namespace
 
 void History::record(PastState before, const std::string& what) {
-  ++version_;
+  if (before.is_work) ++version_;
   if (!what.empty() && what == last_) return;
   last_ = what;
-  future_.clear();
+  if (before.is_work) future_.clear();
   past_.push_back(std::move(before));
   if (past_.size() > kMostSteps) past_.erase(past_.begin());
 }
@@ -23,10 +23,10 @@ std::optional<PastState> History::exchange(std::vector<PastState>& from, std::ve
                                            const State& now) {
   last_.clear();
   if (from.empty()) return std::nullopt;
-  ++version_;
   PastState step = std::move(from.back());
   from.pop_back();
-  to.push_back({now, step.has_camera});
+  if (step.is_work) ++version_;
+  to.push_back({now, step.is_work});
   return step;
 }
 

@@ -13,13 +13,14 @@ namespace saddle {
 /// A state that a change led away from.
 struct PastState {
   State state;
-  bool has_camera = false;  ///< the change was one of the camera, too: going back takes it back
+  bool is_work = true;  ///< the change was one of what a scene file is written for
 };
 
 class History {
  public:
   /// Remembers the state before a change. Changes of the same thing in a row, such as letters typed
-  /// into one field, are one; an empty `what` is a thing of its own.
+  /// into one field, are one; an empty `what` is a thing of its own. A change that is no work, such
+  /// as a look from elsewhere, leaves what can be done again.
   void record(PastState before, const std::string& what);
 
   /// The next change is one of its own, even if it is of the same thing.
@@ -31,7 +32,7 @@ class History {
 
   bool has_past() const { return !past_.empty(); }
   bool has_future() const { return !future_.empty(); }
-  /// Another number after each record(), undo() and redo() that did anything.
+  /// Another number after each record(), undo() and redo() that changed work.
   std::size_t version() const { return version_; }
 
  private:

@@ -93,7 +93,7 @@ void Model::frame() {
   scene_.camera = before;
   frame_animation(scene_, threads_);
   framed_.reset();
-  if (!are_placed_alike(before, scene_.camera)) framed_ = {scene_.camera, before};
+  if (!are_placed_alike(before, scene_.camera)) framed_ = FramedCamera{scene_.camera, before};
 }
 
 Scene Model::drawn_scene() const {
@@ -137,7 +137,7 @@ void Model::reload() {
   try {
     Scene scene = reload_();
     scene.camera = scene_.camera;
-    record("", false);
+    record("", true);
     take_place(std::move(scene));
   } catch (...) {
     error_ = caught_error();
@@ -146,19 +146,19 @@ void Model::reload() {
 }
 
 /// To be called before a change.
-void Model::record(const std::string& what, bool has_camera) {
-  history_.record({{scene_, view_}, has_camera}, what);
+void Model::record(const std::string& what, bool is_work) {
+  history_.record({{scene_, view_, framed_}, is_work}, what);
 }
 
 void Model::edit(Scene scene, const std::string& what) {
-  record(what, false);
+  record(what, true);
   scene_ = std::move(scene);
   is_edited_ = true;
   request_meshes(Manner::PreviewFirst);
 }
 
 void Model::change_view(ViewState view, const std::string& what) {
-  record(what, false);
+  record(what, true);
   view_ = std::move(view);
 }
 
@@ -171,25 +171,20 @@ void Model::end_edit() {
 }
 
 void Model::undo() {
-  restore(history_.undo({scene_, view_}));
+  restore(history_.undo({scene_, view_, framed_}));
 }
 
 void Model::redo() {
-  restore(history_.redo({scene_, view_}));
+  restore(history_.redo({scene_, view_, framed_}));
 }
 
-/// Takes a state of the history, if there is one. The window's size stays; so do the moment and the
-/// camera, unless it was they that had changed.
+/// Takes a state of the history, if there is one. The window's size stays.
 void Model::restore(std::optional<PastState> step) {
   if (!step) return;
   played_.reset();
-  auto& [scene, view] = step->state;
-  if (!step->has_camera) {
-    scene.camera = scene_.camera;
-    scene.t = scene_.t;
-  }
-  view_ = view;
-  take_place(std::move(scene));
+  view_ = step->state.view;
+  framed_ = step->state.framed;
+  take_place(std::move(step->state.scene));
 }
 
 /// In place of the scene, in a window of the same size.
@@ -206,7 +201,7 @@ void Model::open(Scene scene, std::function<Scene()> reload) {
   reload_ = std::move(reload);
   view_.lights = {};
   view_.table_up = scene.camera.up;
-  playing = false;
+  view_.playing = false;
   played_.reset();
   take_place(std::move(scene));
 }
@@ -218,7 +213,7 @@ bool Model::has(Needs needs) const {
     case Needs::Future:
       return history_.has_future();
     case Needs::Movement:
-      return moves_ || playing || played_;
+      return moves_ || view_.playing || played_;
     case Needs::Source:
       return reload_ != nullptr;
     case Needs::Surface:
@@ -249,6 +244,11 @@ void Model::look_through(const Camera& camera) {
   if (!camera.distance || !before.distance) return;
   const double nearer = *before.distance / *camera.distance;
   if (nearer > kMuchNearer && !worker_.is_busy()) request_meshes(Manner::Full);
+}
+
+void Model::look_by_hand(const Camera& camera, const std::string& what) {
+  record(what, false);
+  look_through(camera);
 }
 
 bool Model::is_close(const Camera& camera) const {
@@ -303,7 +303,7 @@ void Model::show(Meshed meshed) {
   seen_.reset();
   const auto is_moving = [](const auto& surface) { return surface->moves; };
   moves_ = std::ranges::any_of(good_.surfaces, is_moving) || has_moving_numbers(good_.scene);
-  if (!moves_) playing = false;
+  if (!moves_) view_.playing = false;
   follow_picked();
 }
 

@@ -74,10 +74,13 @@ class Model {
   /// Length of the diagonal of what is shown.
   double surface_size() const { return bounds_.diagonal(); }
 
-  // Changes, all of which can be undone. `what` names the thing that is changed: those of the same
-  // thing in a row are one.
+  // Changes, all of which can be undone: undo and redo go to whole states. `what` names the thing
+  // that is changed: those of the same thing in a row are one.
   void edit(Scene scene, const std::string& what);
   void change_view(ViewState view, const std::string& what);
+  /// A hand moves the camera; end_edit() lets go.
+  void look_by_hand(const Camera& camera, const std::string& what);
+  void set_time(double t);
   void end_edit();
   void undo();
   void redo();
@@ -87,9 +90,8 @@ class Model {
   /// The scene from where it came from, the camera as it is; its error, if it has one, is kept.
   void reload();
 
-  // A hand's way with the camera, and time that passes, are no changes to undo.
+  /// This alone is no change to undo.
   void look_through(const Camera& camera);
-  void set_time(double t);
   /// Finds and keeps the point of a surface under a pixel; nothing there: forgets the last one.
   void pick(const dvec2& pixel);
   /// The point of a mesh under a pixel, or of the plane through the target.
@@ -112,22 +114,20 @@ class Model {
   /// The scene as it is to be saved: with the camera and what keys have changed.
   Scene scene_to_save() const;
 
-  bool playing = false;
-
   /// A parameter goes from end to end, in the view's manner; nothing: none does.
   void play(const std::optional<ParameterPlace>& parameter);
   const std::optional<ParameterPlace>& played() const { return played_; }
 
  private:
   void frame();
+  void move_to(double t);
   void advance_time(double seconds);
   void advance_played(double seconds);
   double advance_phase(double share);
   void request_meshes(Manner manner);
-  void record(const std::string& what, bool has_camera);
+  void record(const std::string& what, bool is_work);
   void restore(std::optional<PastState> step);
   void take_place(Scene scene);
-  void look_anew(Camera camera);
   bool keeps_up() const;
   bool is_close(const Camera& camera) const;
   void show(Meshed meshed);
@@ -142,13 +142,8 @@ class Model {
   ViewState view_;
   std::function<Scene()> reload_;
   unsigned threads_;
-  /// The camera as frame() has left it, and as it was before.
-  struct Framed {
-    Camera after;
-    Camera before;
-  };
-  std::optional<Framed> framed_;
-  bool is_edited_ = false;  ///< since the last end of an edit
+  std::optional<FramedCamera> framed_;  ///< by frame()
+  bool is_edited_ = false;              ///< since the last end of an edit
   History history_;
   Meshed good_;  // the last one without an error
   std::optional<Error> error_;

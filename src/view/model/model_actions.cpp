@@ -44,6 +44,10 @@ bool Model::act_on_looks(Action action) {
       view.turntable = !view.turntable;
       change_view(view, "");
       return true;
+    case Action::Panel:
+      record("panel", false);
+      view_.panel = !view_.panel;
+      return true;
     case Action::NextLights:
       scene.lights = view.lights.next(scene.lights);
       edit(std::move(scene), "");
@@ -64,26 +68,21 @@ bool Model::act_on_looks(Action action) {
   }
 }
 
-/// A camera that a key gives can be undone.
-void Model::look_anew(Camera camera) {
-  record("", true);
-  look_through(camera);
-}
-
 bool Model::act_on_camera(Action action) {
   Camera camera = scene_.camera;
   switch (action) {
     case Action::Orthographic:
       camera.ortho = !camera.ortho;
-      look_anew(camera);
+      look_by_hand(camera, "");
       return true;
     case Action::AlongX:
     case Action::AlongY:
     case Action::AlongZ:
-      look_anew(seen_along(camera, static_cast<int>(action) - static_cast<int>(Action::AlongX)));
+      look_by_hand(seen_along(camera, static_cast<int>(action) - static_cast<int>(Action::AlongX)),
+                   "");
       return true;
     case Action::Fit:
-      record("", true);
+      record("", false);
       scene_.camera = fit_again(camera);
       frame();
       look_through(scene_.camera);
@@ -102,7 +101,8 @@ bool Model::act_on_scene(Action action) {
       edit(std::move(scene), "");
       return true;
     case Action::Play:
-      playing = !playing && !played_ && moves_;
+      record("play", false);
+      view_.playing = !view_.playing && !played_ && moves_;
       played_.reset();
       return true;
     case Action::Coarser:

@@ -23,14 +23,14 @@ constexpr double kThere = 0.5;
 
 void Model::pass(Clock::time_point now) {
   if (refine_at_ && now >= *refine_at_) request_meshes(Manner::Full);
-  if (!playing && !played_) {
+  if (!view_.playing && !played_) {
     last_tick_.reset();
     return;
   }
   if (last_tick_ && now - *last_tick_ < kStep) return;
   const double passed = last_tick_ ? std::chrono::duration<double>(now - *last_tick_).count() : 0;
   last_tick_ = now;
-  if (playing) advance_time(passed);
+  if (view_.playing) advance_time(passed);
   if (played_) advance_played(passed);
 }
 
@@ -39,7 +39,7 @@ void Model::advance_time(double seconds) {
   const double length = animation.to - animation.from;
   const double rate = length * animation.fps / animation.frames;  // of the animation's film
   const double t = scene_.t - animation.from + view_.speed * rate * seconds;
-  set_time(animation.from + t - std::floor(t / length) * length);
+  move_to(animation.from + t - std::floor(t / length) * length);
 }
 
 void Model::play(const std::optional<ParameterPlace>& parameter) {
@@ -47,7 +47,7 @@ void Model::play(const std::optional<ParameterPlace>& parameter) {
   const Definition* const definition = parameter ? find_definition(scene_, *parameter) : nullptr;
   const auto value = definition != nullptr ? plain_number(*definition) : std::nullopt;
   if (!value) return played_.reset();
-  record("", false);
+  record("", true);
   const Slider ends = slider_in(scene_, *parameter);
   phase_ = std::clamp((*value - ends.min) / (ends.max - ends.min), 0.0, 1.0) / 2;
   if (view_.manner != PlayManner::ToAndFro && phase_ >= kThere) phase_ = 0;
@@ -76,14 +76,19 @@ void Model::advance_played(double seconds) {
 }
 
 std::optional<Model::Clock::time_point> Model::next_pass() const {
-  if (playing || played_) return last_tick_ ? *last_tick_ + kStep : Clock::now();
+  if (view_.playing || played_) return last_tick_ ? *last_tick_ + kStep : Clock::now();
   if (refine_at_ || !is_meshing()) return refine_at_;
   return Clock::now() + kTellAgain;
 }
 
 void Model::set_time(double t) {
+  record("t", false);
+  move_to(t);
+}
+
+void Model::move_to(double t) {
   scene_.t = t;
-  request_meshes(playing && keeps_up() ? Manner::InTurn : Manner::PreviewFirst);
+  request_meshes(view_.playing && keeps_up() ? Manner::InTurn : Manner::PreviewFirst);
 }
 
 std::optional<double> Model::meshing_seconds() const {

@@ -41,9 +41,9 @@ bool is_on(const Model& model, Action action) {
     case Action::Orthographic:
       return model.scene().camera.ortho;
     case Action::Play:
-      return model.playing;
+      return model.view().playing;
     case Action::Panel:
-      return true;
+      return model.view().panel;
     case Action::ShadeVertices:
       return model.scene().picture.shading == Shading::Vertex;
     case Action::ShadePixels:
@@ -136,7 +136,7 @@ void Panel::show_time(Desk& desk) const {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("t");
   ImGui::SameLine();
-  if (icon_button(model.playing ? Icon::Stop : Icon::Play, row_of(Action::Play).help)) {
+  if (icon_button(model.view().playing ? Icon::Stop : Icon::Play, row_of(Action::Play).help)) {
     desk.action = Action::Play;
   }
   ImGui::SameLine();

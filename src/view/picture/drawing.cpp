@@ -22,9 +22,9 @@ constexpr double kMuchLarger = 1.5;
 
 /// Parts of a picture that rests, in pixels each way. They are smaller if one takes longer than
 /// this: a key waits for it; larger if all are quicker than that: each part takes all corners of
-/// the mesh.
+/// the mesh. The largest is no more than four times as slow below an empty row as expected.
 constexpr int kSmallestPart = 128;
-constexpr int kLargestPart = 1024;
+constexpr int kLargestPart = 256;
 constexpr double kSlowPartMs = 24;
 constexpr double kQuickPartMs = 6;
 
@@ -136,8 +136,10 @@ void Drawing::draw_whole(const Model& model) {
   const double per_side = std::min(per_side_, most);
   const Scene scene = model.drawn_scene();
   const FittedCamera camera = model.grip().fitted;
-  const Look look = model.look();
+  Look look = model.look();
   const auto begin = Clock::now();
+  const auto is_slow = [begin] { return ms_of(Clock::now() - begin) > kSlowMs / 2; };
+  if (per_side < most) look.interruption = {is_slow, true};
   canvas_.draw(renderer_, {scene, camera, look}, picture.width, picture.height, per_side,
                finest(model));
   const double passed = ms_of(Clock::now() - begin);
@@ -164,14 +166,17 @@ bool Drawing::refine(const Model& model, Clock::time_point begin) {
   const PictureSettings& picture = model.scene().picture;
   const Scene scene = model.drawn_scene();
   const FittedCamera camera = model.grip().fitted;
-  const Look look = model.look();
+  Look look = model.look();
+  const auto is_over = [begin] { return Clock::now() > begin + kTurn; };
   stage_ = Stage::Refining;
   while (cursor_.y < picture.height) {
     const auto start = Clock::now();
     if (start > begin + kTurn) return false;
     const PixelRect part = next_part(picture);
-    canvas_.draw_part(renderer_, {scene, camera, look}, part);
-    advance(part, picture, ms_of(Clock::now() - start));
+    look.interruption = {is_over, false, cursor_.is_begun};
+    cursor_.is_begun = !canvas_.draw_part(renderer_, {scene, camera, look}, part);
+    cursor_.slowest_ms = std::max(cursor_.slowest_ms, ms_of(Clock::now() - start));
+    if (!cursor_.is_begun) advance(part, picture);
   }
   canvas_.finish();
   stage_ = Stage::Done;
@@ -185,12 +190,11 @@ PixelRect Drawing::next_part(const PictureSettings& picture) const {
 }
 
 /// All parts of a row have one size.
-void Drawing::advance(const PixelRect& part, const PictureSettings& picture, double milliseconds) {
+void Drawing::advance(const PixelRect& part, const PictureSettings& picture) {
   cursor_.x += part.width;
-  cursor_.slowest_ms = std::max(cursor_.slowest_ms, milliseconds);
   if (cursor_.x < picture.width) return;
   const double slowest = cursor_.slowest_ms;
-  cursor_ = {0, cursor_.y + part_side_, 0};
+  cursor_ = {.y = cursor_.y + part_side_};
   if (slowest > kSlowPartMs) part_side_ = std::max(part_side_ / 2, kSmallestPart);
   if (slowest < kQuickPartMs) part_side_ = std::min(part_side_ * 2, kLargestPart);
 }

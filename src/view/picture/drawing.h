@@ -69,7 +69,8 @@ class Drawing {
   /// The next part of the picture to be refined is at (x, y).
   struct Cursor {
     int x = 0, y = 0;
-    double slowest_ms = 0;  ///< of the parts of its row so far
+    bool is_begun = false;  ///< it has some of its see-through layers
+    double slowest_ms = 0;  ///< of the turns of its row so far
   };
 
   void make_marks(const Model& model);
@@ -77,7 +78,7 @@ class Drawing {
   void adapt(double milliseconds);
   bool refine(const Model& model, Clock::time_point begin);
   PixelRect next_part(const PictureSettings& picture) const;
-  void advance(const PixelRect& part, const PictureSettings& picture, double milliseconds);
+  void advance(const PixelRect& part, const PictureSettings& picture);
   int finest(const Model& model) const;
 
   Renderer renderer_;

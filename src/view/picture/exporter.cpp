@@ -98,13 +98,16 @@ Exporter::~Exporter() {
 }
 
 void Exporter::write(const Scene& scene, const Export& file) {
-  waiting_.push_back({write_scene(scene), file});
+  waiting_.push_back({write_scene(scene), scene.title, file});
   if (waiting_.size() == 1) begin_next();
 }
 
 /// A process that cannot begin is told as one that fails.
 void Exporter::begin_next() {
-  const Job& job = waiting_.front();
+  Job& job = waiting_.front();
+  if (!job.file.replaces) {  // by now the files before it are there
+    job.file.path = free_file_name(job.title, job.file.path.extension());
+  }
   const std::string path = std::filesystem::absolute(job.file.path);  // no option, such as "-x.png"
   std::vector<std::string> command{program_, "-", "-o", path};
   if (job.file.size) {

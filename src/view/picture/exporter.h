@@ -21,6 +21,8 @@ namespace saddle {
 struct Export {
   std::filesystem::path path;
   std::optional<GridSize> size = {};  ///< of the picture; nothing: the scene's
+  bool replaces = true;               ///< else only its extension counts: it is TITLE.html, or the
+                                      ///< first of TITLE-2.html ... that does not exist
 };
 
 /// The meaning of typed text: a file's name, and perhaps a picture's size after a space. Nothing:
@@ -49,7 +51,7 @@ class Exporter {
   Exporter(const Exporter&) = delete;
   Exporter& operator=(const Exporter&) = delete;
 
-  /// Writes a file, after those that were asked for before. A file that exists is replaced.
+  /// Writes a file, after those that were asked for before.
   void write(const Scene& scene, const Export& file);
 
   /// Goes on with the next file. Returns what became of the last one.
@@ -59,6 +61,7 @@ class Exporter {
  private:
   struct Job {
     std::string scene;
+    std::string title;
     Export file;
   };
 

@@ -1,20 +1,16 @@
 #include "view/picture/saver.h"
 
 #include <cctype>
-#include <functional>
 #include <ostream>
 #include <utility>
-#include <vector>
 
 #include "base/error.h"
 #include "base/file.h"
-#include "export/page/page.h"
 #include "export/pictures/scene_png.h"
 #include "render/picture/picture_in_tiles.h"
 #include "render/picture/renderer.h"
 #include "scene/model/strokes.h"
 #include "scene/options/resolve.h"
-#include "scene/options/run_settings.h"
 #include "scene/toml/scene_file.h"
 #include "view/model/model.h"
 
@@ -47,22 +43,10 @@ Image draw_meshed(const Meshed& meshed) {
   return draw_image(renderer, scene, camera, scene.picture);
 }
 
-std::string write(const Scene& scene, const char* extension,
-                  const std::function<void(std::ostream&)>& content) {
-  const auto path = free_file_name(scene.title, extension);
-  write_file_whole(path, content);
-  return "saved " + path.string();
-}
-
 std::string write_picture(const Image& image, const Scene& scene) {
-  return write(scene, ".png", [&](std::ostream& out) { write_scene_png(out, {image, scene}); });
-}
-
-std::string write_page_of(const Meshed& meshed) {
-  std::vector<Mesh> meshes;
-  for (const auto& surface : meshed.surfaces) meshes.push_back(surface->mesh);
-  const PageContent content{meshes, meshed.scene, meshed.scene, RunSettings{}.sliders};
-  return write(meshed.scene, ".html", [&](std::ostream& out) { write_page(out, content); });
+  const auto path = free_file_name(scene.title, ".png");
+  write_file_whole(path, [&](std::ostream& out) { write_scene_png(out, {image, scene}); });
+  return "saved " + path.string();
 }
 
 }  // namespace
@@ -78,22 +62,13 @@ Saver::Saver(Tessellate tessellate, std::function<void()> wake)
     : wake_(wake), worker_(std::move(tessellate), std::move(wake)) {}
 
 void Saver::save_picture(Scene scene) {
-  save({std::move(scene)});
-}
-
-void Saver::save_page(Scene scene) {
-  save({std::move(scene), true});
-}
-
-void Saver::save(Wanted wanted) {
   const bool is_free = !is_busy();
-  wanted.scene = with_strokes(resolve(std::move(wanted.scene)));
-  waiting_.push_back(std::move(wanted));
+  waiting_.push_back(with_strokes(resolve(std::move(scene))));
   if (is_free) mesh_next();
 }
 
 void Saver::mesh_next() {
-  if (!waiting_.empty()) worker_.request(waiting_.front().scene, Manner::Full);
+  if (!waiting_.empty()) worker_.request(waiting_.front(), Manner::Full);
 }
 
 std::optional<std::string> Saver::pass() {
@@ -104,17 +79,10 @@ std::optional<std::string> Saver::pass() {
   }
   const auto meshed = worker_.take();
   if (!meshed) return std::nullopt;
-  const bool is_page = waiting_.front().page;
   waiting_.pop_front();
   try {
     if (meshed->error) throw Error(*meshed->error);
-    if (is_page) {
-      start_writing([meshed = *meshed] { return write_page_of(meshed); });
-    } else {
-      start_writing([image = draw_meshed(*meshed), scene = meshed->scene] {
-        return write_picture(image, scene);
-      });
-    }
+    start_writing(draw_meshed(*meshed), meshed->scene);
     return std::nullopt;
   } catch (...) {
     news_ = caught_error().what();
@@ -123,10 +91,10 @@ std::optional<std::string> Saver::pass() {
   return std::move(news_);
 }
 
-void Saver::start_writing(std::function<std::string()> write) {
-  writer_ = std::jthread([this, write = std::move(write)] {
+void Saver::start_writing(Image image, Scene scene) {
+  writer_ = std::jthread([this, image = std::move(image), scene = std::move(scene)] {
     try {
-      news_ = write();
+      news_ = write_picture(image, scene);
     } catch (...) {
       news_ = caught_error().what();
     }

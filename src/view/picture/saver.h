@@ -1,5 +1,5 @@
-// Scenes, pictures and pages into files of the current folder. Meshes are made and files written
-// beside the drawing.
+// Scenes and pictures into files of the current folder. Meshes are made and files written beside
+// the drawing.
 #pragma once
 
 #include <atomic>
@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "base/image.h"
 #include "scene/model/scene.h"
 #include "view/model/mesh_worker.h"
 
@@ -32,29 +33,19 @@ class Saver {
   /// TITLE-2.png ... Throws Error for a scene that is wrong.
   void save_picture(Scene scene);
 
-  /// The page that saddle -o would write, for a picture of the window's size, as TITLE.html or
-  /// TITLE-2.html ... Throws Error for a scene that is wrong.
-  void save_page(Scene scene);
-
   /// Goes on with what is there: draws a picture whose mesh is made, in the context that is
   /// current. Returns what there is to say about it: that it is saved, or why not.
   std::optional<std::string> pass();
 
-  /// A picture or page that was asked for is not in its file yet.
+  /// A picture that was asked for is not in its file yet.
   bool is_busy() const { return !waiting_.empty() || writer_.joinable(); }
 
  private:
-  struct Wanted {
-    Scene scene;
-    bool page = false;  ///< else a picture
-  };
-
-  void save(Wanted wanted);
   void mesh_next();
-  void start_writing(std::function<std::string()> write);
+  void start_writing(Image image, Scene scene);
 
   std::function<void()> wake_;
-  std::deque<Wanted> waiting_;  ///< the first one is being meshed, unless a file is being written
+  std::deque<Scene> waiting_;  ///< the first one is being meshed, unless a file is being written
   MeshWorker worker_;
   std::string news_;  ///< of the writer, once it is done
   std::atomic<bool> is_written_ = false;

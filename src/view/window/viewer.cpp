@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <memory>
 #include <utility>
 
 #include "base/error.h"
@@ -38,6 +40,9 @@ std::filesystem::file_time_type last_write(const std::filesystem::path& path) {
   return ignored ? std::filesystem::file_time_type::min() : time;
 }
 
+/// The one whose window is open.
+Viewer* running = nullptr;
+
 }  // namespace
 
 Viewer::Viewer(ViewerSetup setup)
@@ -57,9 +62,29 @@ Viewer::Viewer(ViewerSetup setup)
 }
 
 void Viewer::run() {
+  running = this;
+  [[maybe_unused]] static const int is_registered = std::atexit(keep_work_at_exit);
+  const std::unique_ptr<Viewer*, void (*)(Viewer**)> end(
+      &running, [](Viewer** viewer) { *viewer = nullptr; });
   while (!is_to_end()) step();
   keep_work(true);
   if (verbose_) print_times();
+}
+
+/// Xlib ends the process where the display has gone, from whatever was being done. Threads are at
+/// work, so nothing is destroyed.
+void Viewer::keep_work_at_exit() {
+  if (running == nullptr) return;
+  std::string text = "the display has gone";
+  try {
+    running->keep_work(true);
+    const std::string& why = running->not_kept_;
+    if (!why.empty()) text += ", and unsaved work is lost: " + why;
+  } catch (...) {
+    text += ", and unsaved work is lost";
+  }
+  tell(Error(Status::Machine, text));
+  std::_Exit(static_cast<int>(Status::Machine));
 }
 
 void Viewer::step() {
@@ -159,7 +184,7 @@ void Viewer::handle(const Event& event) {
     case Event::Kind::Press:
       return press(event);
     case Event::Kind::Release:
-      return hand_.release(event.button);
+      return hand_.release(model_, event.button);
     case Event::Kind::Move:
       if (hand_.move(model_, in_picture(event.place))) change_picture();
       return;
@@ -207,7 +232,7 @@ void Viewer::key(const std::string& name) {
     if (name == "Return" && !is_editing_number()) panel_.confirm(model_);
     if (row == nullptr || !works_while_typing(row->action)) return;
   }
-  if (name == "Tab" && panel_shown_) panel_.enter();
+  if (name == "Tab" && model_.view().panel) panel_.enter();
   if (row == nullptr) return;
   if (is_typing_ && types_character(*row)) {
     return say("click into the picture, or press Escape, to use its keys");
@@ -230,7 +255,7 @@ void Viewer::look_at_file() {
 // ---------------------------------------------------------------------------------
 
 double Viewer::panel_width() const {
-  if (!panel_shown_ || start_shown_) return 0;
+  if (!model_.view().panel || start_shown_) return 0;
   return std::floor(
       std::min(kPanelWidth * window_.scale(), kPanelShare * window_.framebuffer_size().x));
 }
@@ -275,7 +300,7 @@ void Viewer::paint() {
 void Viewer::show_panels() {
   if (start_shown_) {
     show_start();
-  } else if (panel_shown_) {
+  } else if (model_.view().panel) {
     panel_.show(model_, drawing_.figures(), panel_width());
     if (panel_.take_change()) change_picture();
   }
@@ -301,7 +326,7 @@ Overlay Viewer::overlay() {
   overlay.left = panel_width();
   overlay.message = message_;
   // An error that the panel shows is not shown twice.
-  if (model_.error() && !panel_shown_) overlay.message = format_error(*model_.error());
+  if (model_.error() && !model_.view().panel) overlay.message = format_error(*model_.error());
   if (help_shown_) overlay.help = key_help();
   const auto& picked = model_.picked();
   if (!picked || start_shown_) return overlay;

@@ -53,6 +53,8 @@ class Viewer {
   const Model& model() const { return model_; }
   Spent spent() const { return {busy_, drawing_.spent(), showing_, paints_}; }
   const Drawing& drawing() const { return drawing_; }
+  /// It is shown over the picture; empty: there is none.
+  const std::string& message() const { return message_; }
 
  private:
   using Clock = Model::Clock;
@@ -84,6 +86,8 @@ class Viewer {
   void open(const std::filesystem::path& path);
   void restore_work();
   void keep_work(bool now);
+  bool may_lose_work();
+  static void keep_work_at_exit();
   bool is_writing() const { return saver_.is_busy() || exporter_.is_busy(); }
   void look_at_file();
   dvec2 in_picture(const dvec2& place) const { return {place.x - panel_width(), place.y}; }
@@ -117,14 +121,14 @@ class Viewer {
   std::size_t kept_ = 0;   ///< whose scene is kept as work
   std::size_t saved_ = 0;  ///< whose scene is in a file
   Clock::time_point changed_;
-  std::string not_kept_;  ///< why work is not kept; empty: it is
-  std::string title_;     ///< the window's
+  std::string not_kept_;       ///< why work is not kept; empty: it is
+  bool is_loss_told_ = false;  ///< quitting has said so
+  std::string title_;          ///< the window's
   std::size_t paints_ = 0;
   Clock::duration busy_{};     ///< from what happened to the screen
   Clock::duration showing_{};  ///< of that, copying pictures to the window, with the panel
   bool closing_ = false;
   bool insisting_ = false;  ///< not even files that are being written are waited for
-  bool panel_shown_ = true;
   bool help_shown_ = false;
   bool start_shown_;
   bool is_drawing_thumbnails_ = false;

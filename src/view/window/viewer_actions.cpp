@@ -46,9 +46,6 @@ void Viewer::act(Action action) {
 
 bool Viewer::act_on_window(Action action) {
   switch (action) {
-    case Action::Panel:
-      panel_shown_ = !panel_shown_;
-      return true;
     case Action::FullScreen:
       window_.toggle_full_screen();
       return true;
@@ -62,6 +59,7 @@ bool Viewer::act_on_window(Action action) {
       list_actions();
       return true;
     case Action::Quit:
+      if (may_lose_work()) return true;
       insisting_ = closing_;
       closing_ = true;
       if (is_writing()) say("writing a file; quit again to leave without it");
@@ -89,7 +87,7 @@ bool Viewer::act_on_files(Action action) {
       saver_.save_picture(model_.scene_to_save());
       return true;
     case Action::SavePage:
-      saver_.save_page(model_.scene_to_save());
+      write_file({.path = "page.html", .replaces = false});
       return true;
     case Action::SaveScene: {
       const auto path = save_scene(model_.scene_to_save());
@@ -198,7 +196,7 @@ void Viewer::list_exports() {
 
 void Viewer::write_file(const Export& file) {
   exporter_.write(model_.scene_to_save(), file);
-  say("writing " + file.path.string());
+  say("writing " + (file.replaces ? file.path.string() : "a page"));
 }
 
 // --- scenes
@@ -215,6 +213,9 @@ void Viewer::show_scene(Scene scene, std::function<Scene()> reload) {
 void Viewer::open(const std::filesystem::path& path) {
   try {
     const auto whole = std::filesystem::absolute(path);
+    if (std::filesystem::exists(whole) && !std::filesystem::is_regular_file(whole)) {
+      throw Error(Status::Input, whole.string() + " is no file");  // such as /dev/zero, without end
+    }
     show_scene(load_scene(whole), [whole] { return load_scene(whole); });
     session_.remember_file(whole);
     if (!watched_.empty()) watched_ = whole;
@@ -240,7 +241,8 @@ void Viewer::keep_work(bool now) {
   const std::size_t version = model_.history().version();
   if (version != seen_) changed_ = Clock::now();
   seen_ = version;
-  if (kept_ == version || (!now && Clock::now() < changed_ + kKeep)) return;
+  const bool tries_again = now && !not_kept_.empty();
+  if ((kept_ == version && !tries_again) || (!now && Clock::now() < changed_ + kKeep)) return;
   kept_ = version;
   if (version == saved_) return session_.forget_work();
   const Scene& scene = model_.scene();
@@ -248,6 +250,14 @@ void Viewer::keep_work(bool now) {
   const std::string why = session_.keep_work(write_scene(model_.scene_to_save()));
   const bool is_news = why != std::exchange(not_kept_, why) && !why.empty();
   if (is_news) say("unsaved work is not kept: " + why + "\nS saves the scene here");
+}
+
+/// Says so once: quitting again leaves it.
+bool Viewer::may_lose_work() {
+  keep_work(true);
+  if (not_kept_.empty() || std::exchange(is_loss_told_, true)) return false;
+  say("unsaved work would be lost: " + not_kept_ + "\nquit again to leave it, S saves it here");
+  return true;
 }
 
 // --- the start page

@@ -13,8 +13,8 @@ State titled(const std::string& title) {
   return state;
 }
 
-PastState step(const std::string& title, bool has_camera = false) {
-  return {titled(title), has_camera};
+PastState step(const std::string& title, bool is_work = true) {
+  return {titled(title), is_work};
 }
 
 TEST(History, GoesBackAndForth) {
@@ -56,14 +56,24 @@ TEST(History, ForgetsWhatWasUndoneAtTheNextEdit) {
   EXPECT_FALSE(history.redo(titled("c")));
 }
 
-TEST(History, TellsWhetherACameraBelongsToAStepBothWays) {
+TEST(History, KeepsWhatCanBeDoneAgainWhileSomeoneLooksAround) {
   History history;
   history.record(step("a"), "");
-  history.record(step("b", true), "");
-  EXPECT_TRUE(history.undo(titled("c"))->has_camera);
-  EXPECT_FALSE(history.undo(titled("b"))->has_camera);
-  EXPECT_FALSE(history.redo(titled("a"))->has_camera);
-  EXPECT_TRUE(history.redo(titled("b"))->has_camera);
+  history.undo(titled("b"));
+  history.record(step("a", false), "drag");
+  EXPECT_EQ(history.redo(titled("a, from elsewhere"))->state.scene.title, "b");
+  EXPECT_EQ(history.undo(titled("b"))->state.scene.title, "a, from elsewhere");
+  EXPECT_EQ(history.undo(titled("a, from elsewhere"))->state.scene.title, "a");
+}
+
+TEST(History, HasNoOtherVersionAfterALookFromElsewhere) {
+  History history;
+  history.record(step("a"), "");
+  const std::size_t version = history.version();
+  history.record(step("b", false), "drag");
+  history.undo(titled("b, from elsewhere"));
+  history.redo(titled("b"));
+  EXPECT_EQ(history.version(), version);
 }
 
 TEST(History, HasAnotherVersionAfterEachChange) {

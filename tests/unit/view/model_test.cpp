@@ -243,7 +243,7 @@ std::string words_of(const Model& model) {
   const ViewState& view = model.view();
   return write_scene(model.scene()) + (view.grid ? "grid " : "") +
          (view.wireframe ? "wires " : "") + (view.normals ? "normals " : "") +
-         (view.turntable ? "table " : "");
+         (view.turntable ? "table " : "") + (view.panel ? "panel " : "");
 }
 
 TEST(Model, UndoesEveryActionAndDoesItAgain) {
@@ -253,7 +253,7 @@ TEST(Model, UndoesEveryActionAndDoesItAgain) {
        {Action::Grid, Action::Wireframe, Action::Normals, Action::Turntable, Action::NextLights,
         Action::ShadeExactly, Action::Axes, Action::Orthographic, Action::AlongX, Action::Fit,
         Action::Flip, Action::Coarser, Action::AddSurface, Action::AddCurve, Action::AddPoint,
-        Action::AddLight, Action::NextLights, Action::New}) {
+        Action::AddLight, Action::NextLights, Action::Panel, Action::New}) {
     ASSERT_TRUE(model->act(action));
     model->end_edit();
     if (action == Action::Fit)
@@ -280,12 +280,51 @@ TEST(Model, TakesTheCameraBackWithTheSceneThatWasOpened) {
   EXPECT_EQ(dvec3(model->scene().camera.view), dvec3(0, 0, 1));
   model->undo();
   EXPECT_EQ(dvec3(model->scene().camera.view), dvec3(before.view));
+}
+
+TEST(Model, TakesEachDragAndTurnsOfTheWheelBackAtOnce) {
+  PlaneModel model("1");
+  const Model& now = *model;
+  Hand hand;
+  const auto drag = [&](double to) {
+    hand.press(now, {200, 150}, 0, false);
+    for (const double x : {210.0, 220.0, to}) hand.move(*model, {x, 150});
+    hand.release(*model, 0);
+  };
+  std::vector<std::string> states{words_of(now)};
+  const auto note = [&] { states.push_back(words_of(now)); };
+  drag(240);
+  note();
+  drag(300);
+  note();
+  hand.scroll(*model, {200, 150}, 1);
+  hand.scroll(*model, {200, 150}, 1);
+  note();
   edit(model, [](Scene& scene) { scene.surfaces[0].z = "u"; });
-  Camera turned = model->scene().camera;
-  turned.view = Vector(1, 0, 0);
-  model->look_through(turned);
+  note();
+  for (std::size_t i = states.size() - 1; i > 0; --i) {
+    EXPECT_NE(states[i], states[i - 1]);
+    EXPECT_EQ(words_of(now), states[i]) << i;
+    model->undo();
+  }
+  EXPECT_EQ(words_of(now), states[0]);
+  EXPECT_FALSE(now.has(Needs::Past));
+}
+
+TEST(Model, TakesTheMomentAndPlayingBack) {
+  PlaneModel model("1");
+  edit(model, [](Scene& scene) { scene.surfaces[0].z = "t*u"; });
+  for (const double t : {0.1, 0.2, 0.3}) model->set_time(t);
+  model->act(Action::Play);
+  const auto begin = Model::Clock::now();
+  for (int i = 0; i < 4; ++i) model->pass(begin + i * std::chrono::milliseconds(50));
+  EXPECT_NE(model->scene().t, 0.3);
+  model->act(Action::Play);
+  EXPECT_FALSE(model->view().playing);
   model->undo();
-  EXPECT_EQ(dvec3(model->scene().camera.view), dvec3(1, 0, 0)) << "a hand's way is no change";
+  EXPECT_EQ(model->scene().t, 0.3) << "playing is one change, from its start to its end";
+  model->undo();
+  EXPECT_EQ(model->scene().t, 0) << "a drag of the slider is one";
 }
 
 TEST(Model, KeepsTheNextLightsThroughUndo) {
@@ -309,13 +348,13 @@ TEST(Model, PlaysOnlyWhatMoves) {
   PlaneModel model("1");
   EXPECT_FALSE(model->moves());
   model->act(Action::Play);
-  EXPECT_FALSE(model->playing);
+  EXPECT_FALSE(model->view().playing);
   edit(model, [](Scene& scene) { scene.surfaces[0].z = "t*u"; });
   EXPECT_TRUE(model->has(Needs::Movement));
   model->act(Action::Play);
-  EXPECT_TRUE(model->playing);
+  EXPECT_TRUE(model->view().playing);
   edit(model, [](Scene& scene) { scene.surfaces[0].z = "u"; });
-  EXPECT_FALSE(model->playing);
+  EXPECT_FALSE(model->view().playing);
   edit(model, [](Scene& scene) { scene.lights[0].position.x = Number("t"); });
   EXPECT_TRUE(model->moves()) << "a light does";
 }
