@@ -60,9 +60,9 @@ TEST_F(Limits, APictureOfManyNodesTakesMemoryInProportionToThem) {
     EXPECT_EQ(run.status, 0) << run.err;
     return nlohmann::json::parse(run.out)["peak_memory_bytes"].get<double>();
   };
-  // A node takes a few kilobytes. A list of all names for each node would take 32 bytes each, 288
-  // megabytes in all.
-  EXPECT_LT(peak(3000) - peak(10), 100e6);
+  // The nodes take 80 megabytes, and threads that allocate at once up to 70 more. A list of all
+  // names for each node would take 32 bytes a name, 288 megabytes besides.
+  EXPECT_LT(peak(3000) - peak(10), 250e6);
 }
 
 TEST_F(Limits, APictureTakesNoThreads) {
