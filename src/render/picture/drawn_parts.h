@@ -8,6 +8,7 @@
 
 #include "render/gl/gpu_mesh.h"
 #include "render/picture/placed_mesh.h"
+#include "render/shading/shader_materials.h"
 #include "scene/model/scene.h"
 
 namespace saddle {
@@ -15,8 +16,7 @@ namespace saddle {
 /// Triangles of a placed mesh that have the same two materials.
 struct DrawnPart {
   const PlacedMesh* item;
-  Material front;
-  Material back;
+  SideMaterials materials;
   std::size_t first = 0;
   std::size_t count = 0;
 };

@@ -348,7 +348,6 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
   for (const DrawnPart& part : parts_of(scene, items, meshes_)) {
     const PlacedMesh& item = *part.item;
     const SurfaceSpec& surface = scene.surfaces[item.surface];
-    const SideMaterials materials{part.front, part.back};
     const Shading shading = shading_of(scene, surface);
     const bool is_unlit = shading == Shading::Unlit;
     if (is_unlit && !first) continue;
@@ -364,7 +363,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
       needs.textured = surface.texture.picture ? TextureUse::Picture : TextureUse::Checker;
     }
     needs.colored = meshes_[item.surface].color_range() && !surface.color.empty();
-    add_material_needs(materials, first, needs);
+    add_material_needs(part.materials, first, needs);
     if (program == nullptr || needs != made_for) {
       program = &surface_program(needs, surface.name);
       program->use();
@@ -380,7 +379,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
     if (needs.see_through) program->set("opacity", item.opacity);
     if (needs.colored) set_color(*program, scene, item.surface);
     if (needs.textured != TextureUse::None) set_texture(*program, surface);
-    set_materials(*program, materials, needs);
+    set_materials(*program, part.materials, needs);
     program->check_all_set();
     glFrontFace(item.mirrored ? GL_CW : GL_CCW);
     item.two_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);

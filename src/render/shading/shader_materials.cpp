@@ -47,7 +47,7 @@ void set_material(Program& program, const std::string& side, const Material& mat
 
 }  // namespace
 
-void add_material_needs(SideMaterials materials, bool emission, ShaderNeeds& needs) {
+void add_material_needs(const SideMaterials& materials, bool emission, ShaderNeeds& needs) {
   const bool has_own_color = needs.colored || needs.textured == TextureUse::Picture;
   if (needs.unlit) {
     needs.two_materials =
@@ -63,7 +63,7 @@ void add_material_needs(SideMaterials materials, bool emission, ShaderNeeds& nee
   needs.two_materials = needs.two_sided && !is_same;
 }
 
-void set_materials(Program& program, SideMaterials materials, const ShaderNeeds& needs) {
+void set_materials(Program& program, const SideMaterials& materials, const ShaderNeeds& needs) {
   set_material(program, "front", materials.front, needs);
   if (needs.two_materials) set_material(program, "back", materials.back, needs);
 }

@@ -9,15 +9,15 @@ namespace saddle {
 
 /// The two materials of a surface, or of a part of one.
 struct SideMaterials {
-  const Material& front;
-  const Material& back;
+  Material front;
+  Material back;
 };
 
 /// Adds the parts of the shader that the materials need; `needs` says which sides are
 /// seen and whether it is coloured. `emission`: it may shine, which it does in one pass of several.
-void add_material_needs(SideMaterials materials, bool emission, ShaderNeeds& needs);
+void add_material_needs(const SideMaterials& materials, bool emission, ShaderNeeds& needs);
 
 /// Sets the uniforms of the materials that the program was made for.
-void set_materials(Program& program, SideMaterials materials, const ShaderNeeds& needs);
+void set_materials(Program& program, const SideMaterials& materials, const ShaderNeeds& needs);
 
 }  // namespace saddle
