@@ -69,12 +69,14 @@ function walk(count, code) {
   const corner = (c, gate) => c > 2 ? next + 3 - c : c > 1 ? before[gate[0]] : (guesses[next] = gate, next++);
   const take = (a, b, c) => {
     triangles.push(a, b, c);
-    [[a, b, c], [c, a, b], [b, c, a]].filter(([x, y]) => after[y] != x || (after[y] = null)).forEach(gate => {
+    const sides = [[a, b, c], [c, a, b], [b, c, a]], open = sides.filter(([x, y]) => after[y] != x);
+    for (const [x, y] of sides) if (after[y] == x) after[y] = null;
+    for (const gate of open) {
       const [x, y] = gate;
       after[x] = y;
       before[y] = x;
       gates.push(gate);
-    });
+    }
   };
   while (triangles.length < 3 * count || gates.length) {
     const gate = gates.pop();

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <memory>
 #include <utility>
 
 #include "base/error.h"
@@ -43,6 +42,13 @@ std::filesystem::file_time_type last_write(const std::filesystem::path& path) {
 /// The one whose window is open.
 Viewer* running = nullptr;
 
+struct Running {
+  explicit Running(Viewer* viewer) { running = viewer; }
+  ~Running() { running = nullptr; }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+};
+
 }  // namespace
 
 Viewer::Viewer(ViewerSetup setup)
@@ -62,10 +68,8 @@ Viewer::Viewer(ViewerSetup setup)
 }
 
 void Viewer::run() {
-  running = this;
   [[maybe_unused]] static const int is_registered = std::atexit(keep_work_at_exit);
-  const std::unique_ptr<Viewer*, void (*)(Viewer**)> end(
-      &running, [](Viewer** viewer) { *viewer = nullptr; });
+  const Running is_running(this);
   while (!is_to_end()) step();
   keep_work(true);
   if (verbose_) print_times();
