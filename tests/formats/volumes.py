@@ -5,12 +5,14 @@ gallery, or its surfaces with a WORD in their names. Area and curvature are thos
 a thickness, by this script. Exit 1 if a solid is not closed or its volume is not near."""
 import json
 import pathlib
-import re
 import subprocess
 import sys
 import tempfile
 
 import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "honesty"))
+from mesh import read_ply  # pylint: disable=wrong-import-position
 
 THICKNESS = 0.001  # as a share of the diagonal
 # Both volumes belong to the same mesh. They differ where its normals turn from corner to corner, as
@@ -25,26 +27,10 @@ def run(saddle, *words):
         sys.exit(f"{' '.join(words)}: {done.stderr}")
 
 
-def corners_of(path):
-    """Positions and normals of the corners of a PLY file's triangles."""
-    data = path.read_bytes()
-    begin = data.index(b"end_header\n") + len(b"end_header\n")
-    head = data[:begin].decode(errors="replace")
-    vertices, faces = (int(re.search(rf"element {kind} (\d+)", head)[1])
-                       for kind in ("vertex", "face"))
-    kinds = {"float": "<f4", "double": "<f8", "uchar": "u1"}
-    row = numpy.dtype([(name, kinds[kind]) for kind, name in
-                       re.findall(r"property (float|double|uchar) (\w+)", head.split("element face")[0])])
-    all_vertices = numpy.frombuffer(data, row, vertices, begin)
-    triangle = numpy.dtype([("count", "u1"), ("corners", "<i4", 3)])
-    triangles = numpy.frombuffer(data, triangle, faces, begin + all_vertices.nbytes)["corners"]
-    columns = [numpy.stack([all_vertices[a + b].astype(float) for b in "xyz"], 1) for a in ("", "n")]
-    return [column[triangles] for column in columns]
-
-
 def area_and_curvature(path):
     """The area of the triangles, and the area that their normals cover on the unit sphere."""
-    places, normals = corners_of(path)
+    mesh = read_ply(path)
+    places, normals = mesh.points[mesh.triangles], mesh.normals[mesh.triangles]
     area = numpy.linalg.norm(numpy.cross(places[:, 1] - places[:, 0], places[:, 2] - places[:, 0]),
                              axis=1).sum() / 2
     a, b, c = normals[:, 0], normals[:, 1], normals[:, 2]
