@@ -174,10 +174,13 @@ z = "0.3*r*shape*sin(3*u)"
         for prefers, plays in (("no-preference", True), ("reduce", False)):
             self.browser.call("Emulation.setEmulatedMedia",
                               features=[{"name": "prefers-reduced-motion", "value": prefers}])
-            self.open(film)
-            self.settle()
-            moved = self.browser.value("+document.querySelector('.saddle-panel input').value != 0")
-            self.expect(moved == plays, f"a film with {prefers} plays: {moved}")
+            self.open(film, fits=False)
+            moves = "+document.querySelector('.saddle-panel input').value > 0"
+            if plays:
+                self.browser.wait_for(moves, 20)
+            else:
+                self.settle()
+                self.expect(not self.browser.value(moves), "a film rests if less motion is preferred")
         self.browser.call("Emulation.setEmulatedMedia", features=[])
 
     # --- points
@@ -261,7 +264,9 @@ z = "0.3*r*shape*sin(3*u)"
         browser, self.browser = self.browser, Browser("--disable-3d-apis")
         self.browser.size(WIDTH, HEIGHT + 200)
         try:
-            page = self.page("flat", *RING, "--size", f"{WIDTH}x{HEIGHT}", "-o", str(self.folder / "flat.png"))
+            # Coarse, as each triangle of each frame is drawn by JavaScript.
+            page = self.page("flat", *RING, "--samples", "32x16", "--size", f"{WIDTH}x{HEIGHT}", "-o",
+                             str(self.folder / "flat.png"))
             self.open(page)
             drawn, expected = self.picture(), read(self.folder / "flat.png")
             self.expect((abs(drawn - expected).max(axis=2) > 60).mean() < 0.04, "the same picture without WebGL2")
