@@ -46,6 +46,12 @@ def found_of(way, distances, st, points, most=6):
     return Found(way, distances[order[0]], st[order[0]], points[order[0]], all_found[1:])
 
 
+def farthest(distances, most):
+    """The indices of the largest distances, the largest first."""
+    order = np.argpartition(-distances, min(most, len(distances) - 1))[:most]
+    return order[np.argsort(-distances[order])]
+
+
 def _length(vectors):
     """Lengths; infinite where a vector is undefined."""
     lengths = length(vectors)
@@ -123,8 +129,8 @@ class Oracle:
 
     def _worst(self, st, points, distances):
         """The farthest places that are a part of the surface."""
-        order = np.argsort(-distances)
-        for first in range(0, min(len(order), 40000), 400):
+        order = farthest(distances, 40000)
+        for first in range(0, len(order), 400):
             block = order[first:first + 400]
             if distances[block[0]] <= 0.5 * self.enough:
                 break
@@ -136,7 +142,7 @@ class Oracle:
 
     def _diverse(self, st, distances, count, size):
         """The worst places, one of each square of the parameters."""
-        order = np.argsort(-distances)[:20000]
+        order = farthest(distances, 20000)
         _, first = np.unique(np.floor(st[order] / size), axis=0, return_index=True)
         return st[order[np.sort(first)[:count]]]
 
