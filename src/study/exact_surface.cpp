@@ -40,9 +40,7 @@ std::string unfolded(const std::vector<Token>& formula, const std::string& one,
     const bool is_index = token.kind == TokenKind::Name && indices.contains(token.text);
     if (token.kind == TokenKind::Number || (is_index && !begins_range(i))) {
       result += "(" + token.text + "*" + one + ")";
-    } else if (is_index) {
-      result += token.text;
-    } else if (token.kind == TokenKind::Name &&
+    } else if (!is_index && token.kind == TokenKind::Name &&
                std::ranges::find(hidden, token.text) == hidden.end()) {
       result += constant_of_one(token.text, one);
     } else {

@@ -17,9 +17,7 @@ namespace {
 /// kWellConditioned for values of a sequence, of which only the growth matters.
 constexpr double kRoughlyConditioned = 1e-7;
 /// A Gauss curvature below this part of the squared mean one is a difference of rounding errors.
-/// Beside a usual mean curvature times the diagonal it is as good as 0.
 constexpr double kKnownGauss = 1e-9;
-constexpr double kUsualMean = 1e4;
 
 /// Boxes that may be bounded: some milliseconds.
 constexpr std::size_t kMostBoxes = 3600;
@@ -346,6 +344,7 @@ class ExtremesSearch {
     const std::vector<Values> samples = values(uv, kRoughlyConditioned);
     for (const Quantity q : {kGauss, kMean}) {
       std::vector<double> sequence;
+      sequence.reserve(samples.size());
       for (const Values& sample : samples) sequence.push_back(sample[q]);
       while (!sequence.empty() && std::isnan(sequence.back())) sequence.pop_back();
       for (const double sign : {1.0, -1.0}) {

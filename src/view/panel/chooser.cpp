@@ -42,8 +42,9 @@ std::vector<Choice> matching(std::vector<Choice> choices, const std::string& que
     }
     return false;
   });
-  std::ranges::stable_partition(
-      choices, [&](const Choice& choice) { return lower(choice.name).starts_with(wanted); });
+  std::stable_partition(choices.begin(), choices.end(), [&](const Choice& choice) {
+    return lower(choice.name).starts_with(wanted);
+  });
   return choices;
 }
 
