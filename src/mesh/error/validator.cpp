@@ -12,6 +12,7 @@
 #include "mesh/error/distance_maximizer.h"
 #include "mesh/error/face_distance.h"
 #include "mesh/error/sharp_bends.h"
+#include "mesh/error/sheet_triangles.h"
 #include "mesh/error/validate_many.h"
 #include "mesh/model/sides.h"
 #include "mesh/model/tolerances.h"
@@ -40,19 +41,6 @@ std::size_t count_connected(std::span<const Triangle> triangles) {
   };
   while (count < triangles.size() && is_connected(triangles[count])) ++count;
   return count;
-}
-
-/// Calls f(a, b, is_diagonal) for each side of triangles once: a diagonal is a side of two.
-template <class F>
-void for_triangle_sides(std::span<const Triangle> triangles, F f) {
-  for (const Triangle& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = t[k];
-      const std::uint32_t b = t[(k + 1) % 3];
-      const bool is_diagonal = has_side(triangles, b, a);
-      if (a < b || !is_diagonal) f(a, b, is_diagonal);
-    }
-  }
 }
 
 /// The triangle around a place, and the one beyond its nearest side, if there is one. `known`: the
@@ -272,8 +260,10 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
     if (crosses_box(triangles.of(k))) continue;
     const dvec2 size =
         tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
-    for_triangle_sides(triangles.of(k), [&](std::uint32_t a, std::uint32_t b, bool is_diagonal) {
+    for_triangle_sides(triangles.of(k), [&](const Triangle& t, std::size_t side, bool is_diagonal) {
       if (!is_diagonal) return;
+      const std::uint32_t a = t[side];
+      const std::uint32_t b = t[(side + 1) % 3];
       chords.push_back({{of.position[a], of.position[b]},
                         {of.uv[a], of.uv[b]},
                         glm::abs(size),
@@ -306,7 +296,9 @@ void Validator::validate_across_faces(ValidatedMesh& mesh, std::span<const std::
     if (!crosses && !has_cut(FeatureKind::Face, leaf, tree_)) continue;
     const dvec2 size =
         tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
-    for_triangle_sides(triangles.of(k), [&](std::uint32_t a, std::uint32_t b, bool) {
+    for_triangle_sides(triangles.of(k), [&](const Triangle& t, std::size_t side, bool) {
+      const std::uint32_t a = t[side];
+      const std::uint32_t b = t[(side + 1) % 3];
       const auto [begin, end] = part_within(*clip_, position[a], position[b]);
       // The ends of a short part are near the surface.
       const double length = glm::distance(position[a], position[b]) * (end - begin);
@@ -395,6 +387,11 @@ void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
     mesh.add(leaf, distance, uv);
   }
   evaluations_ += boundaries.evaluations();
+  SheetTriangles sheets(surface_, grid_, tree_, threads_);
+  for (const std::size_t k : others) {
+    if (!crosses_box(triangles.of(k))) sheets.add(mesh, which[k], triangles.of(k));
+  }
+  sheets.measure(mesh);
 }
 
 }  // namespace saddle

@@ -122,16 +122,21 @@ struct Look {
   std::optional<dvec3> slope;  ///< by the share of the first line; nothing of normals
 };
 
-/// The part of a gap that the slope at neither of its ends explains: its jumps. Not a number where
-/// a slope is infinite. No jump exceeds the gap and the way along the lesser slope: toward an
-/// upright end the other one is far more than the surface moves.
+/// The part of a gap that the slope at neither of its ends explains: its jumps. No jump exceeds the
+/// gap and the way along the lesser slope: toward an upright end the other one is far more than the
+/// surface moves. Between two upright ends it is the gap.
 double unexplained_gap(const dvec3& from, const dvec3& slope_from, const dvec3& to,
                        const dvec3& slope_to, double share) {
   const dvec3 gap = to - from;
-  const dvec3 first = share * slope_from;
-  const dvec3 last = share * slope_to;
-  const double most = safe_length(gap) + std::min(safe_length(first), safe_length(last));
-  return std::min(std::max(safe_length(gap - first), safe_length(gap - last)), most);
+  const double length = safe_length(gap);
+  double largest = 0;
+  double lesser = kInfinity;
+  for (const dvec3& slope : {share * slope_from, share * slope_to}) {
+    if (!is_finite(slope)) continue;
+    largest = std::max(largest, safe_length(gap - slope));
+    lesser = std::min(lesser, safe_length(slope));
+  }
+  return lesser == kInfinity ? length : std::min(largest, length + lesser);
 }
 
 /// Whether the larger gap is in the first part of a line: by what slopes do not explain, where they
@@ -150,7 +155,7 @@ bool is_in_first_part(Search& search, const Look& look, double first_gap, double
                                          *look.slope, search.length * search.share);
     const double last = unexplained_gap(look.value, *look.slope, search.at_ends[1],
                                         search.slopes[1], search.length * (1 - search.share));
-    if (std::max(first, last) > bisected.delta) {  // not so for NaN
+    if (std::max(first, last) > bisected.delta) {
       const bool is_first = first > bisected.first_gap;
       search.has_passed_by = search.has_passed_by || (is_first && first < last);
       return is_first || first >= last;

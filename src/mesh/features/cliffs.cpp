@@ -35,12 +35,7 @@ constexpr int kPlacesOnCliff = 12;
 constexpr double kSteepestEnd = 3;
 /// While a cliff rises, the sheets beside it go on by delta at most: leaves show wider ones.
 constexpr double kWidest = 1;
-/// Halvings of a line until its middle is on the cliff: then the rest is four cliffs long, or the
-/// cliff is in the middle of the line.
-constexpr int kHalvingsToCliff = 40;
-/// Halvings toward a cliff's end, at most, and the part of the way from there to the place on the
-/// cliff to which the end is found.
-constexpr int kHalvingsToEnd = 40;
+/// The part of the way from an end of a cliff to the place on it to which the end is found.
 constexpr double kNearEnd = 1.0 / 32;
 
 /// A place on a line, as a share of it.
@@ -54,6 +49,8 @@ struct CliffSearch {
   Line line;
   std::array<Place, 2> ends;  ///< on the sheets beside the cliff
   std::optional<Place> on_cliff = {};
+  std::optional<Place> doubted = {};  ///< may replace an end, or be on the cliff
+  std::size_t replaced = 0;           ///< that end
 
   dvec2 at(double share) const { return line[0] + share * (line[1] - line[0]); }
   Place place(double share, const SurfacePoint& point) const {
@@ -61,6 +58,7 @@ struct CliffSearch {
     return {share, point.position, way.x * point.r_u + way.y * point.r_v};
   }
   double middle() const { return 0.5 * (ends[0].share + ends[1].share); }
+  double next() const { return doubted ? 0.5 * (doubted->share + ends[replaced].share) : middle(); }
 };
 
 /// The part of the way between two places that their slopes do not explain.
@@ -70,26 +68,53 @@ double unexplained(const Place& a, const Place& b) {
   return std::isfinite(gap) ? gap : kInfinity;
 }
 
+/// Whether slopes at two places differ by so much that they may explain the way between them by
+/// chance: half of a cliff may rise as the mean of its slopes says.
+bool may_be_chance(const Place& a, const Place& b, double least) {
+  // An arc with these slopes at its ends is this high above its chord.
+  return 0.125 * std::fabs(b.share - a.share) * glm::length(b.slope - a.slope) > least;
+}
+
+/// Takes a place in the middle of the rest. Returns whether the search is done.
+bool take_middle(CliffSearch& search, const Place& place, double least) {
+  const std::array gaps = {unexplained(search.ends[0], place), unexplained(place, search.ends[1])};
+  if (std::max(gaps[0], gaps[1]) <= least) return true;  // there is none
+  if (std::min(gaps[0], gaps[1]) > least) {
+    search.on_cliff = place;
+    return true;
+  }
+  search.replaced = gaps[0] > gaps[1] ? 1 : 0;
+  if (may_be_chance(place, search.ends[search.replaced], least)) {
+    search.doubted = place;
+  } else {
+    search.ends[search.replaced] = place;
+  }
+  return false;
+}
+
+/// Takes a place in the middle of the doubted part. Returns whether the search is done.
+bool take_doubted(CliffSearch& search, const Place& place, double least) {
+  const Place doubted = *search.doubted;
+  search.doubted.reset();
+  Place& end = search.ends[search.replaced];
+  const bool is_smooth = std::max(unexplained(doubted, place), unexplained(place, end)) <= least;
+  (is_smooth ? end : search.on_cliff.emplace()) = doubted;
+  return !is_smooth;
+}
+
 /// Halves the lines until their middles are on cliffs. `open`: the lines that may have a cliff.
 void halve_to_cliffs(const Surface& surface, double delta, unsigned threads,
                      std::vector<CliffSearch>& searches, std::vector<std::size_t>& open,
                      std::size_t& work) {
   std::vector<std::size_t> found = open;
-  const auto middle = [](const CliffSearch& search) { return search.at(search.middle()); };
+  const auto next = [](const CliffSearch& search) { return search.at(search.next()); };
   const auto is_done = [&](CliffSearch& search, const dvec2&, const SurfacePoint& point) {
     ++work;
-    const Place place = search.place(search.middle(), point);
-    const std::array gaps = {unexplained(search.ends[0], place),
-                             unexplained(place, search.ends[1])};
-    const double share = kExplained * delta;
-    if (std::min(gaps[0], gaps[1]) <= share) {
-      search.ends[gaps[0] > gaps[1] ? 1 : 0] = place;
-      return std::max(gaps[0], gaps[1]) <= share;  // there is none
-    }
-    search.on_cliff = place;
-    return true;
+    const Place place = search.place(search.next(), point);
+    const double least = kExplained * delta;
+    return search.doubted ? take_doubted(search, place, least) : take_middle(search, place, least);
   };
-  bisect_together(surface, searches, open, kHalvingsToCliff, threads, middle, is_done);
+  bisect_together(surface, searches, open, kHalvingsToEdge, threads, next, is_done);
   std::erase_if(found, [&](std::size_t k) { return !searches[k].on_cliff; });
   open = std::move(found);
 }
@@ -129,7 +154,7 @@ void find_ends(const Surface& surface, double delta, unsigned threads,
     const double way = std::fabs(search.cliff->on_cliff->share - search.last);
     return std::fabs(search.beyond - search.last) <= kNearEnd * way;
   };
-  bisect_together(surface, sheets, open, kHalvingsToEnd, threads, next, is_done);
+  bisect_together(surface, sheets, open, kHalvingsToEdge, threads, next, is_done);
   for (std::size_t i = 0; i < sheets.size(); ++i)
     searches[numbers[i / 2]].ends[i % 2].share = sheets[i].last;
 }

@@ -47,6 +47,22 @@ TEST(Cliffs, AreFoundFromFootToHead) {
   EXPECT_NEAR((*smooth)[1].x, 0.3 + 5.19e-5, 4e-6);
 }
 
+TEST(Cliffs, AreFoundWholeWhereHalfOfOneRisesLikeItsSlopes) {
+  // The line is halved on the cliff itself, at each of its places.
+  const Surface wall = height_field("smoothstep(0,0.0003094,v)");
+  std::vector<Line> lines;
+  for (int k = 1; k < 1000; ++k) {
+    const double middle = k * 0.0003094 / 1000;
+    lines.push_back({dvec2(0, middle - 1.0 / 1920), dvec2(0, middle + 1.0 / 1920)});
+  }
+  std::size_t work = 0;
+  for (const std::optional<Line>& cliff : find_cliffs(wall, lines, 0.003, 1, work)) {
+    ASSERT_TRUE(cliff);
+    EXPECT_NEAR((*cliff)[0].y, 0, 1e-5);
+    EXPECT_NEAR((*cliff)[1].y, 0.0003094, 1e-5);
+  }
+}
+
 TEST(Cliffs, AreNotSlopesWavesOrPoles) {
   for (const char* z :
        {"u", "u^2/2", "clamp(u,-0.9,0.9)", "sin(1e4*u)", "sin(40*u)", "1/(u-0.3)",

@@ -1,4 +1,4 @@
-// Where normals jump along lines of parameters, to the last double on either side.
+// Where normals or positions jump along lines of parameters, to the last double on either side.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -85,6 +85,23 @@ TEST(CreaseSearch, EndsSoonWhereOnlyCuspsCanBe) {
   };
   EXPECT_LT(work_of("0.4*u^2"), 8U);
   EXPECT_GT(work_of("0.4*u^2+1e-9*abs(u-0.5)"), 10U);
+}
+
+TEST(JumpSearch, FindsJumpsToAnUprightRoot) {
+  // The root starts with an infinite slope, at each of several doubles beside the jump.
+  const Surface roots = height_field("sqrt(abs(mod(u*v,1)))", {-3, 3, -3, 3});
+  for (const double v : {-1.1507151057359097, -1.150715106, 0.75, 2.3}) {
+    const dvec2 below(0.99 / v, v);
+    const dvec2 above(1.001 / v, v);
+    for (const Line& line : {Line{below, above}, Line{above, below}}) {
+      std::size_t work = 0;
+      const LocatedDiscontinuity found =
+          find_discontinuities(roots, std::span(&line, 1), 0.01, 1, work)[0];
+      ASSERT_EQ(found.kind, Discontinuity::Jump) << v;
+      const std::vector<SurfacePoint> ends = evaluate(roots, found.ends, 1);
+      EXPECT_GT(std::fabs(ends[0].position.z - ends[1].position.z), 0.99) << v;
+    }
+  }
 }
 
 }  // namespace
