@@ -163,27 +163,29 @@ class MeshFindings {
     return "--max-triangles";
   }
 
+  /// The number of triangles that the tolerance needs, if the mesh has fewer.
+  std::string least_text() const {
+    const double least = report_.least_triangles;
+    if (!(least > static_cast<double>(result_.mesh.triangles.size()))) return "";
+    const double unit = std::pow(10.0, std::max(std::floor(std::log10(least)) - 1, 0.0));
+    return ", the tolerance needs " + formatted("%.0f at least", std::floor(least / unit) * unit);
+  }
+
   /// Why the mesh is off, and what helps; empty if it is within its tolerance.
   std::string error_text() const {
     const bool exceeds_tolerance = report_.tolerance && report_.max_error > *report_.tolerance;
     const std::string off =
         off_by(report_) +
         (report_.worst_place ? ", as at " + place(*report_.worst_place, domain_) : std::string());
-    if (report_.shortage == Shortage::Time) {
-      return "the limit of time stopped refinement, the mesh is" + off + "; --max-time allows more";
-    }
-    if (report_.shortage == Shortage::Memory) {
-      return "the limit of memory stopped refinement, the mesh is" + off +
-             "; --max-memory allows more";
-    }
-    if (report_.budget_spent) {
-      return "the limit of work stopped refinement, the mesh is" + off +
-             "; smaller ranges show more, --max-triangles allows more work";
-    }
-    if (report_.reached_limit) {
-      return "the limit of triangles stopped refinement, the mesh is" + off +
-             "; --max-triangles allows more";
-    }
+    const auto stopped = [&off](const std::string& limit, const std::string& more) {
+      return "the limit of " + limit + " stopped refinement, the mesh is" + off + "; " + more;
+    };
+    if (report_.shortage == Shortage::Time) return stopped("time", "--max-time allows more");
+    if (report_.shortage == Shortage::Memory) return stopped("memory", "--max-memory allows more");
+    if (report_.budget_spent)
+      return stopped("work", "smaller ranges show more, --max-triangles allows more work");
+    if (report_.reached_limit)
+      return stopped("triangles", "--max-triangles allows more" + least_text());
     if (!exceeds_tolerance) return "";
     if (report_.rounding) {
       return "the mesh is" + off + ": its coordinates are so large that doubles round them by " +

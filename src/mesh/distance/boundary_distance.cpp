@@ -9,7 +9,6 @@
 #include "mesh/features/approach.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/sample_places.h"
-#include "mesh/model/sides.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/feature_count.h"
@@ -129,7 +128,8 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
   const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
   const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
   const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
-  for (std::size_t k = 0; k < triangles.size(); ++k) {
+  const CellTriangles by_sides(triangles);
+  for (std::uint32_t k = 0; k < triangles.size(); ++k) {
     const Triangle& t = triangles[k];
     // Chords are measured from the sheets on either side of a cliff.
     if (is_cliff && std::ranges::all_of(t, [&](std::uint32_t corner) {
@@ -142,14 +142,14 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
       const std::uint32_t a = t[i];
       const std::uint32_t b = t[(i + 1) % 3];
       const std::uint32_t opposite = t[(i + 2) % 3];
-      if (has_side(triangles, b, a)) continue;  // a diagonal
+      if (by_sides.has_side(b, a)) continue;  // a diagonal
       const dvec2 middle = 0.5 * (place(a) + place(b));
       if (!is_chord(middle, {a, b}, tree_)) continue;
       const dvec2 outward =
           glm::mix(place(a), place(b), foot(a, b, grid_.mesh.position[opposite])) - place(opposite);
       if (outward == dvec2(0)) continue;
       if (sheet.empty()) {
-        sheet = connected_to(k, triangles);
+        sheet = by_sides.connected_to(k);
         for (const Triangle& other : sheet)
           placed.push_back({other, {place(other[0]), place(other[1]), place(other[2])}});
       }

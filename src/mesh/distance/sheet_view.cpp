@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "mesh/model/sample_places.h"
-#include "mesh/model/sides.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 
@@ -56,20 +55,41 @@ double top_of_parabola(const Height& a, const Height& b, const Height& c) {
 
 }  // namespace
 
-std::vector<Triangle> connected_to(std::size_t number, std::span<const Triangle> triangles) {
-  std::vector<Triangle> connected = {triangles[number]};
+CellTriangles::CellTriangles(std::span<const Triangle> triangles) : triangles_(triangles) {
+  sides_.reserve(3 * triangles.size());
+  for (std::uint32_t number = 0; number < triangles.size(); ++number) {
+    const Triangle& t = triangles[number];
+    for (std::size_t k = 0; k < 3; ++k) sides_.push_back({{t[k], t[(k + 1) % 3]}, number});
+  }
+  std::ranges::stable_sort(sides_, {}, &NumberedSide::ends);
+}
+
+std::span<const CellTriangles::NumberedSide> CellTriangles::with_side(std::uint32_t a,
+                                                                      std::uint32_t b) const {
+  const auto found = std::ranges::equal_range(sides_, std::array{a, b}, {}, &NumberedSide::ends);
+  return {found.begin(), found.end()};
+}
+
+std::vector<Triangle> CellTriangles::connected_to(std::uint32_t number) const {
+  std::vector<std::uint32_t> connected = {number};
+  std::vector<bool> is_connected(triangles_.size(), false);
+  is_connected[number] = true;
   for (std::size_t next = 0; next < connected.size(); ++next) {
-    const Triangle t = connected[next];
-    for (const Triangle& other : triangles) {
-      if (std::ranges::find(connected, other) != connected.end()) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (!has_side(std::span(&other, 1), t[(k + 1) % 3], t[k])) continue;
-        connected.push_back(other);
-        break;
+    const Triangle& t = triangles_[connected[next]];
+    const std::size_t first = connected.size();
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (const NumberedSide& side : with_side(t[(k + 1) % 3], t[k])) {
+        if (is_connected[side.triangle]) continue;
+        is_connected[side.triangle] = true;
+        connected.push_back(side.triangle);
       }
     }
+    std::sort(connected.begin() + static_cast<std::ptrdiff_t>(first), connected.end());
   }
-  return connected;
+  std::vector<Triangle> sheet;
+  sheet.reserve(connected.size());
+  for (const std::uint32_t triangle : connected) sheet.push_back(triangles_[triangle]);
+  return sheet;
 }
 
 std::uint32_t corner_across(const Grid& grid, const Chord& chord, double share, const dvec2& at,

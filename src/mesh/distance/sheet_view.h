@@ -20,8 +20,26 @@ inline bool is_at_end(const dvec2& last, const Line& line) {
   return glm::distance(last, line[1]) <= 2 * kLastStep * glm::distance(line[0], line[1]);
 }
 
-/// The triangles that are connected to the one of some number by common sides.
-std::vector<Triangle> connected_to(std::size_t number, std::span<const Triangle> triangles);
+/// The triangles of a cell by their sides. A cell beside a feature may have thousands.
+class CellTriangles {
+ public:
+  explicit CellTriangles(std::span<const Triangle> triangles);
+
+  /// Whether a triangle runs from corner a to corner b.
+  bool has_side(std::uint32_t a, std::uint32_t b) const { return !with_side(a, b).empty(); }
+  /// The triangles that are connected to the one of some number by common sides.
+  std::vector<Triangle> connected_to(std::uint32_t number) const;
+
+ private:
+  struct NumberedSide {
+    std::array<std::uint32_t, 2> ends;
+    std::uint32_t triangle;
+  };
+  std::span<const NumberedSide> with_side(std::uint32_t a, std::uint32_t b) const;
+
+  std::span<const Triangle> triangles_;
+  std::vector<NumberedSide> sides_;  // sorted by their ends
+};
 
 /// A triangle with the places of its corners in its leaf, counter-clockwise.
 struct PlacedTriangle {

@@ -59,6 +59,7 @@ AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& reques
               seen_lines(plan.lines.v, plan.drawn.v),
               request.threads,
               share_of_diagonal(plan)},
+      coarser_(plan.coarser),
       grid_(sample_grid(surface, std::move(plan.lines.u), std::move(plan.lines.v), request.threads,
                         request.clip)),
       seams_(weld_if_two_dimensional(plan.probe)),
@@ -166,7 +167,7 @@ void AdaptiveMesher::complete(const LeafTriangles& triangles, MeshReport& report
   if (stopped) report.shortage = shortage();
   report.coarse_normals = coarse_normals_;
   report.oscillates = oscillates_;
-  proof_.complete(stopped, hulls_, report);
+  proof_.complete(report.reached_limit, hulls_, report);
   report_seams(seams_, report);
 }
 

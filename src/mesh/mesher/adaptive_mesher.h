@@ -40,6 +40,8 @@ class AdaptiveMesher {
   /// A box around the vertices that are farther away than the request allows.
   const Bounds& far_vertices() const { return far_vertices_; }
 
+  /// MeshPlan::coarser: by how much the mesh may miss the tolerance.
+  double coarser() const { return coarser_; }
   /// The leaves and their sampled errors.
   const ValidatedMesh& mesh() const { return mesh_; }
   const CellTree& tree() const { return tree_; }
@@ -106,6 +108,7 @@ class AdaptiveMesher {
   const Surface& surface_;
   const MeshRequest& request_;
   const CellLimits limits_;
+  const double coarser_;
   Grid grid_;
   Seams seams_;
   PointUnion points_;

@@ -24,7 +24,7 @@ constexpr double kAim = 0.98;
 constexpr double kMostRootLines = 0.28;
 
 /// Too many lines become fewer in steps: the tolerance that they are placed for grows by 1.25; by
-/// 4, which halves their number, while they are more than twice too many. A surface like
+/// 4, which halves their number, while lines or cells are more than twice too many. A surface like
 /// sin(1e15*u) would take 1e15 lines.
 constexpr double kCoarser = 1.25;
 constexpr double kMuchCoarser = 4;
@@ -65,20 +65,26 @@ void place_root_lines(const MeshRequest& request, MeshPlan& plan) {
   place(1);
   const double most = std::max(kMostRootLines / share_of_diagonal(plan),
                                static_cast<double>(plan.fixed.u.size() + plan.fixed.v.size()));
-  const auto lines = [&] {
-    return static_cast<double>(std::max(plan.lines.u.size(), plan.lines.v.size()));
+  // Places the lines for ever larger tolerances while there are too many by this factor. Returns
+  // by how much the tolerance grew.
+  const auto place_fewer = [&](double factor, const auto& excess) {
+    const double first = factor;
+    for (double times; (times = excess()) > 1 && std::isfinite(factor); place(factor))
+      factor *= times > 2 ? kMuchCoarser : kCoarser;
+    return factor / first;
   };
-  const auto is_too_fine = [&] {
-    return 2 * cells(plan.lines) > request.max_triangles && cells(plan.lines) > cells(plan.fixed);
-  };
-  double factor = 1;
-  while (lines() > most && std::isfinite(factor)) {
-    factor *= lines() > 2 * most ? kMuchCoarser : kCoarser;
-    place(factor);
-  }
-  while (is_too_fine() && std::isfinite(factor)) {
-    plan.is_limited = true;
-    place(factor *= 2);
+  const double coarser = place_fewer(1, [&] {
+    return static_cast<double>(std::max(plan.lines.u.size(), plan.lines.v.size())) / most;
+  });
+  const double for_limit = place_fewer(coarser, [&] {
+    if (cells(plan.lines) <= cells(plan.fixed)) return 0.0;
+    return 2 * static_cast<double>(cells(plan.lines)) / static_cast<double>(request.max_triangles);
+  });
+  // The grid of a diagonal ridge has many more cells than the mesh needs.
+  const double least = plan.probe.least_triangles(plan.tolerance);
+  if (least > static_cast<double>(request.max_triangles) && !request.samples) {
+    plan.coarser = kCoarser * for_limit;
+    plan.aim = plan.aim.times(plan.coarser);
   }
   if (const auto& component = plan.probe.component()) {
     const auto [low, high] = component->where;
@@ -160,7 +166,7 @@ double share_of_diagonal(const MeshPlan& plan) {
 MeshReport report_of(const MeshPlan& plan) {
   MeshReport report;
   const Bounds& bounds = plan.probe.bounds();
-  report.reached_limit = plan.is_limited;
+  report.reached_limit = plan.coarser > 1;
   report.tolerance = plan.tolerance(bounds.centre(), bounds.diagonal());
   const double rounding = rounding_of_positions(bounds);
   if (rounding > *report.tolerance) {

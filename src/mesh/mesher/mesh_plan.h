@@ -17,13 +17,15 @@ namespace saddle {
 struct MeshPlan {
   Probe probe;
   Tolerance tolerance;
-  Tolerance aim;            ///< 0.98 of the tolerance: samples miss part of the largest distance
-  FixedLines drawn;         ///< the drawn lines and the ends of the ranges
-  SingularSet singular;     ///< singular points and lines; root lines pass through them, if few
-  FixedLines fixed;         ///< lines that the root grid must have: fixed_lines()
-  FixedLines lines;         ///< of the root grid
-  SizingField sizing;       ///< for which the lines were placed
-  bool is_limited = false;  ///< the limit of triangles made the lines coarser than the tolerance
+  /// 0.98 of the tolerance: samples miss part of the largest distance. Coarser by a factor if the
+  /// limit of triangles is less than any mesh needs.
+  Tolerance aim;
+  FixedLines drawn;      ///< the drawn lines and the ends of the ranges
+  SingularSet singular;  ///< singular points and lines; root lines pass through them, if few
+  FixedLines fixed;      ///< lines that the root grid must have: fixed_lines()
+  FixedLines lines;      ///< of the root grid
+  SizingField sizing;    ///< for which the lines were placed
+  double coarser = 1;    ///< that factor
 };
 
 /// Empty if the surface is so large or small that its tolerance is not a positive number, or if it

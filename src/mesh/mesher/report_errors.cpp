@@ -158,10 +158,11 @@ class ErrorReporter {
                                 mesher.mesh().leaves,
                                 [](const Leaf& leaf) { return leaf.state.oscillates(); }) >
                    std::ssize(mesher.mesh().leaves)),
-        strictest_(report.rounding ? std::numeric_limits<double>::infinity() : *report.tolerance) {}
+        tolerance_(mesher.coarser() * *report.tolerance),
+        strictest_(report.rounding ? std::numeric_limits<double>::infinity() : tolerance_) {}
 
-  /// The largest errors of the triangles. Errors above the tolerance are searched for again,
-  /// against the whole mesh.
+  /// The largest errors of the triangles. Errors above the tolerance that the mesh was made for are
+  /// searched for again, against the whole mesh.
   void report(const Surface& surface, const MeshRequest& request, const LeafTriangles& triangles,
               MeshReport& report) const {
     PlacedError worst;
@@ -172,7 +173,7 @@ class ErrorReporter {
       const bool is_missing = triangles.of(k).empty();
       if (is_missing && !is_missing_part(k)) continue;
       const PlacedError error = error_of(k);
-      if (error.distance > *report.tolerance &&
+      if (error.distance > tolerance_ &&
           (is_missing || is_covered(leaf) || is_of_surface(k) || is_on_strip(leaf))) {
         suspects.push_back(k);
       } else if (is_missing) {
@@ -194,7 +195,7 @@ class ErrorReporter {
     }
     const PlacedError beside = append_strips(surface, request, suspects, triangles, suspected);
     if (beside.distance > worst.distance) worst = beside;
-    const PlacedError found = search(surface, request, suspected, triangles, *report.tolerance);
+    const PlacedError found = search(surface, request, suspected, triangles);
     if (found.distance > worst.distance) worst = found;
     report.max_error = worst.distance;
     if (worst.distance > *report.tolerance) report.worst_place = worst.uv;
@@ -270,8 +271,7 @@ class ErrorReporter {
   }
 
   PlacedError search(const Surface& surface, const MeshRequest& request,
-                     std::span<SearchedLeaf> suspected, const LeafTriangles& triangles,
-                     double tolerance) const {
+                     std::span<SearchedLeaf> suspected, const LeafTriangles& triangles) const {
     std::vector<SearchedPart> others;
     const bool is_sampled = request.samples.has_value();
     std::vector<std::size_t> leaves = searchable_leaves(triangles);
@@ -287,7 +287,7 @@ class ErrorReporter {
                       tree_.edges().has_cliffs());
       return *whole;
     };
-    return largest_error(surface, suspected, others, tolerance, request.clip, request.threads,
+    return largest_error(surface, suspected, others, tolerance_, request.clip, request.threads,
                          mesher_.hulls(), measured);
   }
 
@@ -357,7 +357,8 @@ class ErrorReporter {
   const CellTree& tree_;
   const Grid& grid_;
   bool has_waves_;    ///< an area oscillates: no triangles there are near the surface
-  double strictest_;  ///< tolerance; infinite if rounding alone makes it vary
+  double tolerance_;  ///< that the mesh was made for
+  double strictest_;  ///< tolerance_; infinite if rounding alone makes it vary
 };
 
 }  // namespace

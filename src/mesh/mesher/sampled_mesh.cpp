@@ -44,7 +44,6 @@ std::optional<MeshResult> mesh_of_samples(const Surface& surface, const MeshRequ
   }
   const Domain& d = surface.domain;
   plan->lines = {even_lines(d.u0, d.u1, cells_u), even_lines(d.v0, d.v1, cells_v)};
-  plan->is_limited = false;
   std::optional<MeshResult> mesh = mesh_within_tolerance(surface, request, std::move(*plan));
   if (mesh) {
     mesh->report.tolerance.reset();

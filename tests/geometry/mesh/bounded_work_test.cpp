@@ -83,6 +83,10 @@ TEST(BoundedWork, SearchesAMeshThatTheLimitStoppedOnce) {
   const MeshResult result = try_mesh(sphere, options).value();
   EXPECT_TRUE(result.report.reached_limit);
   EXPECT_EQ(result.report.undefined_fraction, 0);
+  // All triangles are for the best tolerance that they allow, from the start.
+  const double best = 0.385 * 4 * kPi / 40'000;
+  EXPECT_LT(result.report.max_error, 3.5 * best);
+  EXPECT_GT(result.report.max_error, best);
   // Six for each triangle, four for its search, and a few for proofs.
   EXPECT_LT(result.report.evaluations, 14 * result.mesh.triangles.size());
 }

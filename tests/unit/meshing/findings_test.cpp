@@ -68,6 +68,20 @@ TEST(Warnings, NameTheLimitThatLeftNormalsCoarse) {
   EXPECT_TRUE(mesh_warnings("s", coarse, kDomain).back().ends_with("--max-triangles allows more"));
 }
 
+TEST(Warnings, NameTheTrianglesThatAToleranceNeeds) {
+  MeshResult coarse = mesh_between({-1, 0}, {1, 2});
+  coarse.report.tolerance = 1e-3;
+  coarse.report.max_error = 2e-3;
+  coarse.report.reached_limit = true;
+  coarse.report.least_triangles = 12'345'678;
+  EXPECT_EQ(mesh_warnings("s", coarse, kDomain),
+            Warnings{"s: the limit of triangles stopped refinement, the mesh is off by at least "
+                     "0.002 (the tolerance is 0.001); --max-triangles allows more, the tolerance "
+                     "needs 12000000 at least"});
+  coarse.report.least_triangles = 0;  // unknown
+  EXPECT_TRUE(mesh_warnings("s", coarse, kDomain).back().ends_with("--max-triangles allows more"));
+}
+
 TEST(Warnings, NameTheFacesOfTheBoxThatCut) {
   MeshResult cut = mesh_between({-1, 0}, {1, 2});
   cut.report.clip = Bounds{{-kInfinity, -2, 3}, {4, 5, kInfinity}};
