@@ -63,12 +63,23 @@ void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
   const auto place = [&](std::uint32_t vertex) { return (grid_.mesh.uv[vertex] - low) / size; };
+  const auto boundary_on = [&](const Side& side) {
+    const std::optional<EdgeFeature> feature = tree_.edges().feature(side[0], side[1]);
+    return feature && feature->is_boundary() ? feature : std::nullopt;
+  };
+  std::vector<Side> sides;  // from where the surface enters the leaf on
+  for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) { sides.push_back({a, b}); });
+  const auto enters = std::ranges::find_if(sides, [&](const Side& side) {
+    return tree_.geometry().is_defined(side[1]) && boundary_on(side);
+  });
+  std::rotate(sides.begin(), enters, sides.end());
   std::vector<std::uint32_t> stretch;  // empty outside
-  for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) {
-    const std::optional<EdgeFeature> feature = tree_.edges().feature(a, b);
-    if (!feature || !feature->is_boundary()) {
+  for (const Side& side : sides) {
+    const std::optional<EdgeFeature> feature = boundary_on(side);
+    const std::uint32_t b = side[1];
+    if (!feature) {
       if (!stretch.empty()) stretch.push_back(b);
-      return;
+      continue;
     }
     const std::uint32_t end = feature->beside_first;
     if (!stretch.empty()) stretch.push_back(end);
@@ -84,7 +95,7 @@ void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
     }
     stretch.clear();
     if (tree_.geometry().is_defined(b)) stretch = {end, b};
-  });
+  }
 }
 
 /// Adds the sheets that reach into a leaf across one side alone. They have no triangles there, as
@@ -301,13 +312,14 @@ void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
 }
 
 /// The distance of a point of the edge from its chord, or from the triangles where it lies beyond
-/// the chord's ends. Beside a clip box chords lie along its faces, and only triangles count.
+/// the chord's ends. Beside a clip box chords lie along its faces, and only triangles count. A leaf
+/// without triangles has chords on its sides alone.
 double BoundaryDistance::distance_from_edge(const EdgeChord& chord,
                                             std::span<const Triangle> triangles, const dvec2& uv,
                                             const SurfacePoint& point) const {
   const double from_chord = distance_from_chord(grid_, chord.ends, point.position);
   const bool is_beyond = glm::dot(uv - chord.middle, chord.beyond - chord.middle) >= 0;
-  if (!is_beyond) return from_chord;
+  if (!is_beyond || triangles.empty()) return from_chord;
   const double from_triangles = distance_from(grid_, triangles, uv, point.position);
   return clip_ ? from_triangles : std::max(from_chord, from_triangles);
 }

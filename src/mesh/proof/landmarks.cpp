@@ -328,8 +328,8 @@ Landmarks find_landmarks(const Surface& surface, unsigned threads) {
   return LandmarkSearch(surface, threads).run();
 }
 
-std::optional<SmallComponent> component_of(const Landmarks& landmarks, const Surface& surface,
-                                           unsigned threads) {
+std::optional<SmallComponent> component_of(const Landmarks& landmarks, std::span<const dvec2> met,
+                                           const Surface& surface, unsigned threads) {
   std::vector<dvec2> known;
   for (const Landmark& landmark : landmarks.places) {
     if (!landmark.is_hole()) known.push_back(landmark.uv);
@@ -340,6 +340,10 @@ std::optional<SmallComponent> component_of(const Landmarks& landmarks, const Sur
   const dvec2 most = glm::max(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
   // The component may reach into the boxes beside those in which it was found.
   auto [low, high] = landmarks.around;
+  for (const dvec2& uv : met) {
+    low = glm::min(low, uv);
+    high = glm::max(high, uv);
+  }
   const dvec2 margin = kComponentMargin * (high - low);
   SmallComponent component{{glm::max(least, low - margin), glm::min(most, high + margin)}, {}};
   low = component.where.low;

@@ -7,6 +7,7 @@
 
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "surface/parameter_box.h"
@@ -46,8 +47,9 @@ struct SmallComponent {
   std::vector<dvec3> positions;  ///< finite, of points spread over it
 };
 
-/// The part of the domain around all landmarks. Empty without landmarks.
-std::optional<SmallComponent> component_of(const Landmarks& landmarks, const Surface& surface,
-                                           unsigned threads);
+/// The part of the domain around all landmarks and the samples that met the surface. Empty without
+/// landmarks.
+std::optional<SmallComponent> component_of(const Landmarks& landmarks, std::span<const dvec2> met,
+                                           const Surface& surface, unsigned threads);
 
 }  // namespace saddle

@@ -24,6 +24,9 @@ constexpr double kDip = 0.7;
 /// 1/64 of a range apart.
 constexpr double kFarOutside = 1.0 / 16;
 
+/// A surface that one sample in 256 meets, or fewer, lies in a small part of its domain.
+constexpr std::size_t kFewMet = 256;
+
 /// The middles of even stretches of [first, last], each shifted.
 std::vector<double> jittered(double first, double last, std::uint64_t key) {
   std::vector<double> values;
@@ -79,9 +82,14 @@ Probe::Probe(const Surface& surface, unsigned threads)
       landmarks_(find_landmarks(surface, threads)) {
   sample_inside(surface, threads);
   sample_edges(surface, threads);
-  const auto is_met = [](const Sample& sample) { return is_finite(sample.position); };
-  if (std::ranges::none_of(samples_, is_met) || !(bounds_.diagonal() > 0)) {
-    component_ = component_of(landmarks_, surface, threads);
+  std::vector<dvec2> met;
+  for (std::size_t k = 0; k < samples_.size(); ++k) {
+    if (is_finite(samples_[k].position)) met.push_back(uv(k));
+  }
+  const bool is_inside = edges_along_u_.empty() && edges_along_v_.empty();
+  const bool is_small = is_inside && kFewMet * met.size() <= samples_.size();
+  if (met.empty() || is_small || !(bounds_.diagonal() > 0)) {
+    component_ = component_of(landmarks_, met, surface, threads);
   }
   if (component_)
     std::ranges::for_each(component_->positions, [&](const dvec3& p) { bounds_.add(p); });

@@ -68,7 +68,7 @@ class Probe {
   std::vector<dvec3> edge_positions() const;
   /// Small features between samples, and places beside jumps and boundaries.
   const Landmarks& landmarks() const { return landmarks_; }
-  /// Where the surface is, if at most one position is finite.
+  /// Where the surface is, if few samples or none met it.
   const std::optional<SmallComponent>& component() const { return component_; }
   /// For cells of this size in u and v. These errors count all of the second derivative, not just
   /// what is along the normal: a cell that holds many waves is steep wherever there is no crest.
