@@ -63,6 +63,7 @@ Viewer::Viewer(ViewerSetup setup)
       saver_(tessellation_of(setup), Window::wake),
       exporter_(setup.program, setup.threads, Window::wake),
       model_(std::move(setup), Window::wake) {
+  if (start_shown_) begin_thumbnails();
   has_work_ = session_.left_work().has_value();
   if (has_work_ && !start_shown_) say("the last time ended with unsaved work: File, Unsaved work");
 }
@@ -131,7 +132,8 @@ bool Viewer::is_to_end() {
 
 bool Viewer::is_at_rest() const {
   return to_paint_ == 0 && !window_.has_events() && !model_.is_meshing() && !model_.next_pass() &&
-         (start_shown_ ? !is_drawing_thumbnails_ : drawing_.is_at_rest()) && !is_writing();
+         (start_shown_ ? !thumbnails_ || thumbnails_->are_all_taken() : drawing_.is_at_rest()) &&
+         !is_writing();
 }
 
 void Viewer::print_times() const {
@@ -154,7 +156,7 @@ void Viewer::print_times() const {
 
 /// How long the loop may sleep; nothing: until something happens.
 std::optional<double> Viewer::patience() const {
-  if (to_paint_ > 0 || window_.has_events() || is_drawing_thumbnails_) return 0.0;
+  if (to_paint_ > 0 || window_.has_events()) return 0.0;
   std::optional<double> seconds;
   const auto at_most = [&](Clock::time_point time) {
     seconds = std::min(seconds.value_or(1e9), seconds_until(time));
@@ -280,11 +282,12 @@ void Viewer::paint() {
     return;
   }
   if (!start_shown_) fit_picture();
+  if (!start_shown_ && thumbnails_) thumbnails_->pause();
   if (!message_.empty() && Clock::now() >= message_end_) {
     message_.clear();
     touch();
   }
-  if (start_shown_ ? draw_thumbnails() : draw()) to_paint_ = std::max(to_paint_, 1);
+  if (start_shown_ ? take_thumbnails() : draw()) to_paint_ = std::max(to_paint_, 1);
   if (to_paint_ == 0) return;
   --to_paint_;
   if (std::exchange(title_, model_.scene().title) != title_) window_.set_title(title_);
