@@ -161,21 +161,8 @@ TEST_F(Typing, CtrlQQuitsFromAField) {
 }
 
 /// The viewer in this process, which gets real keys from the display.
-class TypingHere : public ViewerTest {
+class TypingHere : public ViewerHere {
  protected:
-  void SetUp() override {
-    ViewerTest::SetUp();
-    if (IsSkipped()) return;
-    setenv("DISPLAY", display().c_str(), 1);
-    unsetenv("WAYLAND_DISPLAY");
-    before_ = std::filesystem::current_path();
-    std::filesystem::current_path(folder_);  // which gets the files that should not be written
-  }
-  void TearDown() override {
-    if (!before_.empty()) std::filesystem::current_path(before_);
-    ViewerTest::TearDown();
-  }
-
   /// Feeds words to xdotool and lets the viewer do what they ask for until something is so; false
   /// if that takes too long or the viewer ends.
   bool act_on(Viewer& viewer, const std::string& words, const std::function<bool()>& is_so) const {
@@ -193,9 +180,6 @@ class TypingHere : public ViewerTest {
     }
     return false;
   }
-
- private:
-  std::filesystem::path before_;
 };
 
 ViewerSetup coarse_plane() {
