@@ -216,14 +216,13 @@ void ViewerTest::act(const std::string& words) const {
 }
 
 void ViewerTest::click(int x, int y, const std::string& options) {
-  act("mousemove " + std::to_string(kPanelWidth + x) + " " + std::to_string(y) +
-      " sleep 0.1 click " + options + " 1");
+  act("mousemove " + std::to_string(kPanelWidth + x) + " " + std::to_string(y) + " click " +
+      options + " 1");
 }
 
 void ViewerTest::drag(int button, int x0, int y0, int x1, int y1) {
   const auto at = [](int x, int y) {
-    return " mousemove " + std::to_string(kPanelWidth + x) + " " + std::to_string(y) +
-           " sleep 0.05";
+    return " mousemove " + std::to_string(kPanelWidth + x) + " " + std::to_string(y);
   };
   const std::string held = std::to_string(button);
   act(at(x0, y0) + " mousedown " + held + at((x0 + x1) / 2, (y0 + y1) / 2) + at(x1, y1) +
@@ -233,12 +232,11 @@ void ViewerTest::drag(int button, int x0, int y0, int x1, int y1) {
 void ViewerTest::enter_field(int row) const {
   constexpr int kFirst = 65;  // the middle of the first field, and how far they are apart
   constexpr int kApart = 25;
-  act("mousemove 200 " + std::to_string(kFirst + row * kApart) +
-      " sleep 0.1 click 1 sleep 0.3 key End sleep 0.1");
+  act("mousemove 200 " + std::to_string(kFirst + row * kApart) + " click 1 key End");
 }
 
 void ViewerTest::enter_new_definition() const {
-  act("mousemove 200 232 sleep 0.1 click 1 sleep 0.3");
+  act("mousemove 200 232 click 1");
 }
 
 Image ViewerTest::screenshot() const {

@@ -69,8 +69,8 @@ TEST_F(Workplace, WritesFilesOfAnyFormat) {
   act("mousemove 700 300 key S");
   ASSERT_TRUE(eventually([&] { return std::filesystem::exists(path("torus.toml")); }));
   const auto take = [&](const std::string& typed, const std::string& name) {
-    act("key ctrl+e sleep 0.5 type '" + typed + "'");
-    act("sleep 0.5 key Return");
+    act("key ctrl+e type '" + typed + "'");
+    act("key Return");
     return eventually([&] { return std::filesystem::exists(path(name)); });
   };
   const auto is_same = [&](const std::string& name, std::vector<std::string> options) {
@@ -104,8 +104,8 @@ TEST_F(Workplace, SavesAPageOfWhatItShows) {
 TEST_F(Workplace, HasTheTitleOfItsScene) {
   open({"torus"});
   EXPECT_EQ(title(), "torus\n");
-  act("key ctrl+g sleep 0.5 type boy");
-  act("sleep 0.3 key Return");
+  act("key ctrl+g type boy");
+  act("key Return");
   EXPECT_TRUE(eventually([&] { return title() == "boy\n"; })) << title();
 }
 

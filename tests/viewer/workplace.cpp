@@ -16,6 +16,9 @@ namespace {
 
 constexpr std::chrono::seconds kPatience{30};
 
+/// GLFW's.
+constexpr int kModControl = 2;
+
 }  // namespace
 
 ViewerSetup Workplace::setup_of(Scene scene) {
@@ -51,20 +54,27 @@ bool Workplace::rests(Viewer& viewer) {
   return until(viewer, [&] { return viewer.is_at_rest(); });
 }
 
-void Workplace::key(Viewer& viewer, const std::string& name, int code) {
+void Workplace::receive_key(Viewer& viewer, const std::string& name, int code) {
   for (const auto kind : {Event::Kind::KeyDown, Event::Kind::KeyUp}) {
     Event event;
     event.kind = kind;
     event.place = {700, 300};
     event.code = code;
+    if (name.starts_with("Ctrl-")) {
+      event.code = name.back();
+      event.mods = kModControl;
+    }
     if (kind == Event::Kind::KeyDown) event.key = name;
     viewer.receive(event);
   }
-  while (viewer.has_events()) viewer.step();
-  viewer.step();
 }
 
-void Workplace::type(Viewer& viewer, const std::string& text) {
+void Workplace::key(Viewer& viewer, const std::string& name, int code) {
+  receive_key(viewer, name, code);
+  settle(viewer);
+}
+
+void Workplace::receive_text(Viewer& viewer, const std::string& text) {
   for (const char c : text) {
     Event event;
     event.kind = Event::Kind::Character;
@@ -73,6 +83,14 @@ void Workplace::type(Viewer& viewer, const std::string& text) {
     event.key = c;
     viewer.receive(event);
   }
+}
+
+void Workplace::type(Viewer& viewer, const std::string& text) {
+  receive_text(viewer, text);
+  settle(viewer);
+}
+
+void Workplace::settle(Viewer& viewer) {
   while (viewer.has_events()) viewer.step();
   viewer.step();
 }
@@ -87,10 +105,10 @@ void Workplace::drop(Viewer& viewer, const std::string& file) {
 }
 
 void Workplace::choose(Viewer& viewer, const std::string& list, const std::string& words) {
-  key(viewer, list);
-  viewer.step();
-  type(viewer, words);
-  key(viewer, "Return", kReturn);
+  receive_key(viewer, list);
+  receive_text(viewer, words);
+  receive_key(viewer, "Return", kReturn);
+  settle(viewer);
 }
 
 void Workplace::press_at(Viewer& viewer, const dvec2& place) {

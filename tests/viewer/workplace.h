@@ -23,10 +23,14 @@ class Workplace : public ViewerHere {
   /// Steps until something is so; false if that takes too long.
   static bool until(Viewer& viewer, const std::function<bool()>& is_so);
   static bool rests(Viewer& viewer);
+  static void receive_key(Viewer& viewer, const std::string& name, int code = 0);
+  static void receive_text(Viewer& viewer, const std::string& text);
+  /// Until nothing of what was received waits any more.
+  static void settle(Viewer& viewer);
   static void key(Viewer& viewer, const std::string& name, int code = 0);
   static void type(Viewer& viewer, const std::string& text);
   static void drop(Viewer& viewer, const std::string& file);
-  /// Opens a list, types, and takes what is first.
+  /// Opens a list, types, and takes what is first, faster than the window shows it.
   static void choose(Viewer& viewer, const std::string& list, const std::string& words);
   static void press_at(Viewer& viewer, const dvec2& place);
   /// Another window is closed after this was typed behind its z, u*v.

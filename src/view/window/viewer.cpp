@@ -109,10 +109,7 @@ void Viewer::step() {
 
 /// To events, to meshes and pictures that are finished, to the time and to the watched file.
 void Viewer::react() {
-  for (const Event& event : window_.take_events()) {
-    if (!is_taken_from_panel(event)) window_.tell_panel(event);
-    handle(event);
-  }
+  take_events();
   if (model_.take_result()) {
     touch();
     drawing_.take_meshes(model_);
@@ -122,6 +119,16 @@ void Viewer::react() {
   if (const auto news = exporter_.pass()) say(*news);
   model_.pass(Clock::now());
   look_at_file();
+}
+
+/// Letters behind the key that opens a list are the list's: they wait for its field.
+void Viewer::take_events() {
+  if (is_text_wanted()) to_enter_ = 0;
+  if (to_enter_ > 0 && to_enter_-- > 0) return;
+  for (const Event& event : window_.take_events()) {
+    if (!is_taken_from_panel(event)) window_.tell_panel(event);
+    handle(event);
+  }
 }
 
 /// A file that was asked for is waited for; who asks to end once more does not want to.
@@ -238,12 +245,16 @@ void Viewer::key(const std::string& name) {
     if (name == "Return" && !is_editing_number()) panel_.confirm(model_);
     if (row == nullptr || !works_while_typing(row->action)) return;
   }
-  if (name == "Tab" && model_.view().panel) panel_.enter();
+  if (name == "Tab" && model_.view().panel) {
+    panel_.enter();
+    to_enter_ = kSettlingFrames;
+  }
   if (row == nullptr) return;
   if (is_typing_ && types_character(*row)) {
     return say("click into the picture, or press Escape, to use its keys");
   }
   act(row->action);
+  if (chooser_.is_open()) to_enter_ = kSettlingFrames;
 }
 
 /// Editors write a file in place or put another one there: its time tells of both.

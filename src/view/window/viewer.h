@@ -94,6 +94,7 @@ class Viewer {
   bool is_over_picture(const Event& event) const;
   double panel_width() const;
   void fit_picture();
+  void take_events();
   void react();
   void paint();
   void show_panels();
@@ -133,6 +134,7 @@ class Viewer {
   bool help_shown_ = false;
   bool start_shown_;
   bool is_typing_ = false;  ///< the last key went to a field, and the picture was not pressed since
+  int to_enter_ = 0;        ///< frames in which a field may still get the keyboard: events wait
   int to_paint_;            ///< frames that the window still needs
   std::string message_;
   Clock::time_point message_end_;
