@@ -13,7 +13,7 @@
 #include <thread>
 #include <utility>
 
-#include "base/image_png.h"
+#include "base/file.h"
 #include "wait_for_child.h"
 
 namespace saddle {
@@ -21,6 +21,12 @@ namespace {
 
 /// What takes longer than this does not happen. Nothing is timed: tests go on as soon as they can.
 constexpr std::chrono::seconds kPatience{40};
+
+/// How often something is looked at that is waited for.
+constexpr std::chrono::milliseconds kLook{20};
+/// Looks in which nothing moves before a picture has settled: the window rests for 120 ms before
+/// it draws what has moved once more, finely.
+constexpr int kRestingLooks = 10;
 
 std::string contents(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -63,6 +69,50 @@ bool is_there(const std::string& program) {
   return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
 }
 
+/// The 32 bits at a place of an X window dump, whose numbers have their highest byte first.
+std::size_t dumped_number(const std::string& dump, std::size_t place) {
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    number = 256 * number + static_cast<unsigned char>(dump[4 * place + i]);
+  }
+  return number;
+}
+
+/// An X window dump with 32 bits per pixel: blue, green, red, nothing. Nothing if it is not whole.
+Image image_of_dump(const std::string& dump) {
+  constexpr std::size_t kHeader = 100;
+  constexpr std::size_t kColor = 12;
+  if (dump.size() < kHeader) return {};
+  const std::size_t width = dumped_number(dump, 4);
+  const std::size_t height = dumped_number(dump, 5);
+  const std::size_t line = dumped_number(dump, 12);
+  const std::size_t begin = dumped_number(dump, 0) + kColor * dumped_number(dump, 19);
+  if (width == 0 || line < 4 * width || dump.size() < begin + line * height) return {};
+  Image image(static_cast<int>(width), static_cast<int>(height));
+  for (std::size_t y = 0; y < height; ++y) {
+    const char* from = dump.data() + begin + y * line;
+    std::uint8_t* to = image.rgba.data() + 4 * y * width;
+    for (std::size_t x = 0; x < width; ++x, from += 4, to += 4) {
+      for (int c = 0; c < 3; ++c) to[c] = static_cast<std::uint8_t>(from[2 - c]);
+      to[3] = 255;
+    }
+  }
+  return image;
+}
+
+/// Whether all threads of a process wait.
+bool sleeps(pid_t process) {
+  std::error_code error;
+  const std::filesystem::path threads = "/proc/" + std::to_string(process) + "/task";
+  for (std::filesystem::directory_iterator thread(threads, error), end; !error && thread != end;
+       thread.increment(error)) {
+    const std::string stat = contents(thread->path() / "stat");
+    const std::size_t name_end = stat.rfind(") ");
+    if (name_end != std::string::npos && stat[name_end + 2] != 'S') return false;
+  }
+  return true;
+}
+
 /// A part of a picture; nothing if it is not that large.
 Image cut_out(const Image& image, int x, int y, int width, int height) {
   if (image.width < x + width || image.height < y + height) return {};
@@ -76,16 +126,16 @@ Image cut_out(const Image& image, int x, int y, int width, int height) {
 }  // namespace
 
 void ViewerTest::SetUp() {
-  for (const char* program : {"Xvfb", "xdotool", "import", "xprop"}) {
+  for (const char* program : {"Xvfb", "xdotool", "xprop"}) {
     if (!is_there(program)) GTEST_SKIP() << "there is no " << program;
   }
   const std::filesystem::path number = path("display");
-  server_ = start_program(
-      {"Xvfb", "-displayfd", "1", "-screen", "0", "1200x700x24", "-nolisten", "tcp", "-noreset"},
-      [&] {
-        redirect(STDOUT_FILENO, number);
-        redirect(STDERR_FILENO, path("xvfb-log"));
-      });
+  server_ = start_program({"Xvfb", "-displayfd", "1", "-screen", "0", "1200x700x24", "-fbdir",
+                           folder_, "-nocursor", "-nolisten", "tcp", "-noreset"},
+                          [&] {
+                            redirect(STDOUT_FILENO, number);
+                            redirect(STDERR_FILENO, path("xvfb-log"));
+                          });
   ASSERT_TRUE(eventually([&] { return contents(number).ends_with('\n'); })) << "no display";
   display_ = ":" + contents(number);
   display_.pop_back();
@@ -166,14 +216,13 @@ void ViewerTest::act(const std::string& words) const {
 }
 
 void ViewerTest::click(int x, int y, const std::string& options) {
-  act("mousemove " + std::to_string(kPanelWidth + x) + " " + std::to_string(y) +
-      " sleep 0.1 click " + options + " 1");
+  act("mousemove " + std::to_string(kPanelWidth + x) + " " + std::to_string(y) + " click " +
+      options + " 1");
 }
 
 void ViewerTest::drag(int button, int x0, int y0, int x1, int y1) {
   const auto at = [](int x, int y) {
-    return " mousemove " + std::to_string(kPanelWidth + x) + " " + std::to_string(y) +
-           " sleep 0.05";
+    return " mousemove " + std::to_string(kPanelWidth + x) + " " + std::to_string(y);
   };
   const std::string held = std::to_string(button);
   act(at(x0, y0) + " mousedown " + held + at((x0 + x1) / 2, (y0 + y1) / 2) + at(x1, y1) +
@@ -183,20 +232,15 @@ void ViewerTest::drag(int button, int x0, int y0, int x1, int y1) {
 void ViewerTest::enter_field(int row) const {
   constexpr int kFirst = 65;  // the middle of the first field, and how far they are apart
   constexpr int kApart = 25;
-  act("mousemove 200 " + std::to_string(kFirst + row * kApart) +
-      " sleep 0.1 click 1 sleep 0.3 key End sleep 0.1");
+  act("mousemove 200 " + std::to_string(kFirst + row * kApart) + " click 1 key End");
 }
 
 void ViewerTest::enter_new_definition() const {
-  act("mousemove 200 232 sleep 0.1 click 1 sleep 0.3");
+  act("mousemove 200 232 click 1");
 }
 
 Image ViewerTest::screenshot() const {
-  const std::string file = path("screen.png");
-  const std::string command =
-      "DISPLAY=" + display_ + " import -window root -depth 8 png32:" + file + " 2>/dev/null";
-  if (std::system(command.c_str()) != 0) return {};
-  return read_png(file).image;
+  return image_of_dump(read_file(path("Xvfb_screen0")));
 }
 
 Image ViewerTest::error_strip() const {
@@ -212,7 +256,7 @@ bool ViewerTest::eventually(const std::function<bool()>& condition) {
   const auto end = std::chrono::steady_clock::now() + kPatience;
   while (!condition()) {
     if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    std::this_thread::sleep_for(kLook);
   }
   return true;
 }
@@ -221,11 +265,11 @@ Image ViewerTest::settled_picture() const {
   Image last = picture();
   int same = 0;
   eventually([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(150));
     Image now = picture();
-    same = now.rgba == last.rgba ? same + 1 : 0;
+    const bool rests = sleeps(viewer_) && sleeps(server_) && now.rgba == last.rgba;
+    same = rests ? same + 1 : 0;
     last = std::move(now);
-    return same >= 2;
+    return same >= kRestingLooks;
   });
   return last;
 }
@@ -236,6 +280,20 @@ std::string ViewerTest::standard_output() const {
 
 std::string ViewerTest::standard_error() const {
   return contents(path("err"));
+}
+
+void ViewerHere::SetUp() {
+  ViewerTest::SetUp();
+  if (IsSkipped()) return;
+  setenv("DISPLAY", display().c_str(), 1);
+  unsetenv("WAYLAND_DISPLAY");
+  before_ = std::filesystem::current_path();
+  std::filesystem::current_path(folder_);
+}
+
+void ViewerHere::TearDown() {
+  if (!before_.empty()) std::filesystem::current_path(before_);
+  ViewerTest::TearDown();
 }
 
 int yellow_pixels(const Image& image) {

@@ -75,6 +75,17 @@ class ViewerTest : public ::testing::Test {
   std::string display_;
 };
 
+/// The viewer in this process, on that display. The test's folder is the current one, and gets the
+/// files that are saved.
+class ViewerHere : public ViewerTest {
+ protected:
+  void SetUp() override;
+  void TearDown() override;
+
+ private:
+  std::filesystem::path before_;
+};
+
 /// Pixels that are yellow, the colour of a front.
 int yellow_pixels(const Image& image);
 

@@ -1,5 +1,8 @@
-// Counts the names that OpenGL has handed out and not got back, whoever asked for them.
+// Counts the names that OpenGL has handed out and not got back, whoever asked for them, in any
+// thread.
 #pragma once
+
+#include <atomic>
 
 #include "render/gl/gl.h"
 
@@ -11,7 +14,8 @@ template <auto& generate, auto& remove>
 class CountedNames {
  public:
   CountedNames() : generate_(generate), remove_(remove) {
-    live_ = made_ = 0;
+    live_ = 0;
+    made_ = 0;
     real_generate_ = generate;
     real_remove_ = remove;
     generate = [](GLsizei count, GLuint* names) {
@@ -37,8 +41,8 @@ class CountedNames {
  private:
   using Generate = void (*)(GLsizei, GLuint*);
   using Remove = void (*)(GLsizei, const GLuint*);
-  static inline int live_ = 0;
-  static inline int made_ = 0;
+  static inline std::atomic<int> live_ = 0;
+  static inline std::atomic<int> made_ = 0;
   static inline Generate real_generate_ = nullptr;
   static inline Remove real_remove_ = nullptr;
   Generate generate_;
@@ -71,7 +75,7 @@ class CountedPrograms {
   int live() const { return live_; }
 
  private:
-  static inline int live_ = 0;
+  static inline std::atomic<int> live_ = 0;
   static inline PFNGLCREATESHADERPROC create_shader_ = nullptr;
   static inline PFNGLDELETESHADERPROC delete_shader_ = nullptr;
   static inline PFNGLCREATEPROGRAMPROC create_program_ = nullptr;

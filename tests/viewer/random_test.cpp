@@ -10,7 +10,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -19,7 +18,6 @@
 #include "base/random.h"
 #include "meshing/tessellate.h"
 #include "paths.h"
-#include "random_formula.h"
 #include "render/picture/canvas.h"
 #include "render/picture/renderer.h"
 #include "scene/model/gallery.h"
@@ -27,6 +25,7 @@
 #include "view/window/viewer.h"
 #include "viewer/display.h"
 #include "viewer/gl_names.h"
+#include "viewer/random_hand.h"
 
 namespace saddle {
 namespace {
@@ -41,169 +40,6 @@ std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
   const char* const text = std::getenv(variable);
   return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
 }
-
-/// GLFW's numbers for keys that fields understand.
-constexpr int kKeyA = 65;
-constexpr int kKeyEscape = 256;
-constexpr int kKeyReturn = 257;
-constexpr int kKeyBackspace = 259;
-constexpr int kKeyControl = 341;
-constexpr int kModControl = 2;
-
-/// Makes up what a person might do, and more.
-class RandomHand {
- public:
-  RandomHand(Viewer& viewer, std::uint64_t seed)
-      : viewer_(viewer), formula_(seed), seed_(seed << 32U) {}
-
-  /// One deed, which may be several events.
-  void act() {
-    switch (below(12)) {
-      case 0:
-      case 1:
-        return drag();
-      case 2:
-      case 3:
-        return scroll();
-      case 4:
-        return click(anywhere(), 2);
-      case 5:
-        return click({20.0 + below(260), 20.0 + below(560)}, 1);  // into the panel
-      case 6:
-      case 7:
-        return enter_formula();
-      case 8:
-        return type(formula_(2));
-      case 9:
-        return move(anywhere());
-      default:
-        return press_key();
-    }
-  }
-
-  /// Lets go, leaves fields and lists, stops t, and takes away what is no part of the scene.
-  void rest() {
-    for (int which = 0; which < 3; ++which) button(Event::Kind::Release, which);
-    for (int i = 0; i < 3; ++i) {  // lists, help, the start page
-      for (const bool down : {true, false}) key(kKeyEscape, 0, down);
-    }
-    click({700, 300}, 1);
-    while (viewer_.has_events()) viewer_.step();
-    if (viewer_.model().view().playing || viewer_.model().played()) press_key_named("Space");
-    if (viewer_.model().view().normals) press_key_named("n");
-  }
-
-  void press_key_named(const std::string& name) {
-    Event event = at_pointer(name.size() == 1 ? Event::Kind::Character : Event::Kind::KeyDown);
-    event.key = name;
-    event.code = name.size() == 1 ? name[0] : 0;
-    viewer_.receive(event);
-  }
-
- private:
-  int below(int end) { return static_cast<int>(end * random_unit(seed_++)); }
-  dvec2 anywhere() { return {double(below(1080)), double(below(600))}; }
-
-  Event at_pointer(Event::Kind kind) const {
-    Event event;
-    event.kind = kind;
-    event.place = pointer_;
-    return event;
-  }
-
-  void move(const dvec2& place) {
-    pointer_ = place;
-    viewer_.receive(at_pointer(Event::Kind::Move));
-  }
-
-  void button(Event::Kind kind, int button, bool shift = false) {
-    Event event = at_pointer(kind);
-    event.button = button;
-    event.shift = shift;
-    viewer_.receive(event);
-  }
-
-  void click(const dvec2& place, int times) {
-    move(place);
-    for (int i = 0; i < times; ++i) {
-      button(Event::Kind::Press, 0);
-      button(Event::Kind::Release, 0);
-    }
-  }
-
-  void drag() {
-    const int which = below(3);
-    move(anywhere());
-    button(Event::Kind::Press, which, below(4) == 0);
-    for (int i = below(6); i >= 0; --i) {
-      move(anywhere());
-      if (below(8) == 0) press_key();
-      viewer_.step();
-    }
-    if (below(20) != 0) button(Event::Kind::Release, which);
-  }
-
-  void scroll() {
-    move(anywhere());
-    for (int i = below(4); i >= 0; --i) {
-      Event event = at_pointer(Event::Kind::Scroll);
-      event.notches = 4 * random_unit(seed_++) - 2;
-      viewer_.receive(event);
-    }
-  }
-
-  void key(int code, int mods, bool down) {
-    Event event = at_pointer(down ? Event::Kind::KeyDown : Event::Kind::KeyUp);
-    event.code = code;
-    event.mods = mods;
-    if (down && code == kKeyEscape) event.key = "Escape";
-    if (down && code == kKeyReturn) event.key = "Return";
-    viewer_.receive(event);
-  }
-
-  void type(const std::string& text) {
-    for (const char c : text) press_key_named(std::string(1, c));
-  }
-
-  /// In place of what is in one of the fields at the top.
-  void enter_formula() {
-    click({200, 65.0 + 25 * below(6)}, 1);
-    key(kKeyControl, kModControl, true);
-    key(kKeyA, kModControl, true);
-    key(kKeyA, kModControl, false);
-    key(kKeyControl, 0, false);
-    type(formula_(below(3)));
-    if (below(3) == 0) {
-      key(kKeyBackspace, 0, true);
-      key(kKeyBackspace, 0, false);
-    }
-  }
-
-  /// Any but those that end the program. Those without a key are found by their names.
-  void press_key() {
-    const auto table = action_table();
-    const ActionRow& row = table[below(static_cast<int>(table.size()))];
-    if (row.action == Action::Quit) return;
-    if (*row.key != 0 && below(4) != 0) return press_key_named(row.key);
-    if (row.menu == Menu::None) return;
-    press_key_named("Ctrl-P");
-    settle();
-    type(row.name);
-    settle();
-    for (const bool down : {true, false}) key(kKeyReturn, 0, down);
-    settle();
-  }
-
-  void settle() {
-    while (viewer_.has_events()) viewer_.step();
-    viewer_.step();
-  }
-
-  Viewer& viewer_;
-  testing::RandomFormula formula_;
-  std::uint64_t seed_;
-  dvec2 pointer_{0, 0};
-};
 
 ViewerSetup torus() {
   ViewerSetup setup;
@@ -228,20 +64,11 @@ void keep_drivers_loaded() {
   }
 }
 
-class RandomHands : public ViewerTest {
+class RandomHands : public ViewerHere {
  protected:
   void SetUp() override {
-    ViewerTest::SetUp();
-    if (IsSkipped()) return;
-    keep_drivers_loaded();
-    setenv("DISPLAY", display().c_str(), 1);
-    unsetenv("WAYLAND_DISPLAY");
-    before_ = std::filesystem::current_path();
-    std::filesystem::current_path(folder_);  // which gets the files that are saved
-  }
-  void TearDown() override {
-    if (!before_.empty()) std::filesystem::current_path(before_);
-    ViewerTest::TearDown();
+    ViewerHere::SetUp();
+    if (!IsSkipped()) keep_drivers_loaded();
   }
 
   /// Whether the viewer comes to rest, with t standing still.
@@ -287,9 +114,6 @@ class RandomHands : public ViewerTest {
     const int height = any ? 1 + below(900) : 600;
     act("search --class saddle windowsize " + std::to_string(width) + " " + std::to_string(height));
   }
-
- private:
-  std::filesystem::path before_;
 };
 
 /// Megabytes of memory that the process has.

@@ -64,9 +64,9 @@ TEST_F(Typing, GoesOnWhileAMessageIsShown) {
 TEST_F(Typing, GoesFromFieldToFieldByTab) {
   open({"z=u*v"});
   click(700, 550);
-  act("key Tab sleep 0.3 key ctrl+a type 2*u");
-  act("key Tab sleep 0.3 key ctrl+a type 3*v");
-  act("key Tab sleep 0.3 key Tab sleep 0.3 key shift+Tab sleep 0.3 key ctrl+a type u+v");
+  act("key Tab key ctrl+a type 2*u");
+  act("key Tab key ctrl+a type 3*v");
+  act("key Tab key Tab key shift+Tab key ctrl+a type u+v");
   EXPECT_EQ(saved_z(), "u+v");
   const SurfaceSpec spec = load_scene(path("saddle.toml")).surfaces.at(0);
   EXPECT_EQ(spec.x, "2*u");
@@ -124,7 +124,7 @@ TEST_F(Typing, GoesNowhereOnceAnotherThingInThePanelIsPressed) {
   open({"z=u*v"});
   enter_field(kFieldOfZ);
   act("type '+1'");
-  act("mousemove 200 590 sleep 0.1 click 1 sleep 0.3");  // below all that the panel shows
+  act("mousemove 200 590 click 1");  // below all that the panel shows
   const Image before = settled_picture();
   act("type 'sgwCS '");
   settled_picture();
@@ -161,21 +161,8 @@ TEST_F(Typing, CtrlQQuitsFromAField) {
 }
 
 /// The viewer in this process, which gets real keys from the display.
-class TypingHere : public ViewerTest {
+class TypingHere : public ViewerHere {
  protected:
-  void SetUp() override {
-    ViewerTest::SetUp();
-    if (IsSkipped()) return;
-    setenv("DISPLAY", display().c_str(), 1);
-    unsetenv("WAYLAND_DISPLAY");
-    before_ = std::filesystem::current_path();
-    std::filesystem::current_path(folder_);  // which gets the files that should not be written
-  }
-  void TearDown() override {
-    if (!before_.empty()) std::filesystem::current_path(before_);
-    ViewerTest::TearDown();
-  }
-
   /// Feeds words to xdotool and lets the viewer do what they ask for until something is so; false
   /// if that takes too long or the viewer ends.
   bool act_on(Viewer& viewer, const std::string& words, const std::function<bool()>& is_so) const {
@@ -193,9 +180,6 @@ class TypingHere : public ViewerTest {
     }
     return false;
   }
-
- private:
-  std::filesystem::path before_;
 };
 
 ViewerSetup coarse_plane() {
@@ -257,7 +241,7 @@ TEST_F(TypingHere, FillsAFieldWithAnyFormulaOfTheGallery) {
     return [&viewer, text] { return viewer.model().scene().surfaces[0].x == text; };
   };
   const auto field = [&] { return viewer.model().scene().surfaces[0].x; };
-  ASSERT_TRUE(act_on(viewer, "mousemove 200 65 sleep 0.2 click 1 sleep 0.2 type 0", has("u0")));
+  ASSERT_TRUE(act_on(viewer, "mousemove 200 65 click 1 type 0", has("u0")));
   int number = 0;
   for (const std::string& formula : gallery_formulas()) {
     // It is undefined everywhere as far as the first sum, which a message says.

@@ -76,7 +76,7 @@ TEST_F(ViewerTest, ShadesCornersPixelsOrByTheFormula) {
 TEST_F(ViewerTest, ZoomsTowardThePointer) {
   open(with({"z=0*u", "u=-1:1", "v=-1:1"}, kMap));
   act("mousemove " + std::to_string(kPanelWidth + 550) +
-      " 150 sleep 0.1 click 4 click 4 click 4");  // at u 0.5, v 0.5
+      " 150 click 4 click 4 click 4");  // at u 0.5, v 0.5
   settled_picture();
   act("key S");
   ASSERT_TRUE(eventually([&] { return std::filesystem::exists(path("saddle.toml")); }));
@@ -130,7 +130,7 @@ TEST_F(ViewerTest, KeepsTheLastGoodSurfaceWhileAFormulaIsWrong) {
   for (int i = 0; i < 7; ++i) act("key BackSpace");
   act("type --delay 20 '*2'");
   EXPECT_TRUE(differ(settled_picture(), before));
-  act("key Escape sleep 0.3");  // leaves the field: its text is what it was
+  act("key Escape");  // leaves the field: its text is what it was
   act("key ctrl+q");
   EXPECT_EQ(status(), 0);
 }
@@ -164,7 +164,7 @@ TEST_F(ViewerTest, PlaysAndStops) {
 TEST_F(ViewerTest, SavesThePictureThatTheSavedSceneGives) {
   open({"torus"});
   drag(1, 400, 300, 330, 210);
-  act("mousemove " + std::to_string(kPanelWidth + 420) + " 300 sleep 0.1 click 4 click 4");
+  act("mousemove " + std::to_string(kPanelWidth + 420) + " 300 click 4 click 4");
   const Image shown = settled_picture();
   act("key s");
   ASSERT_TRUE(eventually([&] { return std::filesystem::exists(path("torus.png")); }));
@@ -299,7 +299,7 @@ TEST_F(ViewerTest, SurvivesAnything) {
     }
     act(words);
   }
-  act("mouseup 1 mouseup 3 mousemove 700 300 click 1 sleep 0.5 key ctrl+q");
+  act("mouseup 1 mouseup 3 mousemove 700 300 click 1 key ctrl+q");
   EXPECT_EQ(status(), 0) << standard_error();
 }
 

@@ -63,6 +63,7 @@ Viewer::Viewer(ViewerSetup setup)
       saver_(tessellation_of(setup), Window::wake),
       exporter_(setup.program, setup.threads, Window::wake),
       model_(std::move(setup), Window::wake) {
+  if (start_shown_) begin_thumbnails();
   has_work_ = session_.left_work().has_value();
   if (has_work_ && !start_shown_) say("the last time ended with unsaved work: File, Unsaved work");
 }
@@ -108,10 +109,7 @@ void Viewer::step() {
 
 /// To events, to meshes and pictures that are finished, to the time and to the watched file.
 void Viewer::react() {
-  for (const Event& event : window_.take_events()) {
-    if (!is_taken_from_panel(event)) window_.tell_panel(event);
-    handle(event);
-  }
+  take_events();
   if (model_.take_result()) {
     touch();
     drawing_.take_meshes(model_);
@@ -123,6 +121,16 @@ void Viewer::react() {
   look_at_file();
 }
 
+/// Letters behind the key that opens a list are the list's: they wait for its field.
+void Viewer::take_events() {
+  if (is_text_wanted()) to_enter_ = 0;
+  if (to_enter_ > 0 && to_enter_-- > 0) return;
+  for (const Event& event : window_.take_events()) {
+    if (!is_taken_from_panel(event)) window_.tell_panel(event);
+    handle(event);
+  }
+}
+
 /// A file that was asked for is waited for; who asks to end once more does not want to.
 bool Viewer::is_to_end() {
   if (window_.take_close_request()) act(Action::Quit);
@@ -131,7 +139,8 @@ bool Viewer::is_to_end() {
 
 bool Viewer::is_at_rest() const {
   return to_paint_ == 0 && !window_.has_events() && !model_.is_meshing() && !model_.next_pass() &&
-         (start_shown_ ? !is_drawing_thumbnails_ : drawing_.is_at_rest()) && !is_writing();
+         (start_shown_ ? !thumbnails_ || thumbnails_->are_all_taken() : drawing_.is_at_rest()) &&
+         !is_writing();
 }
 
 void Viewer::print_times() const {
@@ -154,7 +163,7 @@ void Viewer::print_times() const {
 
 /// How long the loop may sleep; nothing: until something happens.
 std::optional<double> Viewer::patience() const {
-  if (to_paint_ > 0 || window_.has_events() || is_drawing_thumbnails_) return 0.0;
+  if (to_paint_ > 0 || window_.has_events()) return 0.0;
   std::optional<double> seconds;
   const auto at_most = [&](Clock::time_point time) {
     seconds = std::min(seconds.value_or(1e9), seconds_until(time));
@@ -236,12 +245,16 @@ void Viewer::key(const std::string& name) {
     if (name == "Return" && !is_editing_number()) panel_.confirm(model_);
     if (row == nullptr || !works_while_typing(row->action)) return;
   }
-  if (name == "Tab" && model_.view().panel) panel_.enter();
+  if (name == "Tab" && model_.view().panel) {
+    panel_.enter();
+    to_enter_ = kSettlingFrames;
+  }
   if (row == nullptr) return;
   if (is_typing_ && types_character(*row)) {
     return say("click into the picture, or press Escape, to use its keys");
   }
   act(row->action);
+  if (chooser_.is_open()) to_enter_ = kSettlingFrames;
 }
 
 /// Editors write a file in place or put another one there: its time tells of both.
@@ -280,11 +293,12 @@ void Viewer::paint() {
     return;
   }
   if (!start_shown_) fit_picture();
+  if (!start_shown_ && thumbnails_) thumbnails_->pause();
   if (!message_.empty() && Clock::now() >= message_end_) {
     message_.clear();
     touch();
   }
-  if (start_shown_ ? draw_thumbnails() : draw()) to_paint_ = std::max(to_paint_, 1);
+  if (start_shown_ ? take_thumbnails() : draw()) to_paint_ = std::max(to_paint_, 1);
   if (to_paint_ == 0) return;
   --to_paint_;
   if (std::exchange(title_, model_.scene().title) != title_) window_.set_title(title_);

@@ -94,10 +94,12 @@ class Viewer {
   bool is_over_picture(const Event& event) const;
   double panel_width() const;
   void fit_picture();
+  void take_events();
   void react();
   void paint();
   void show_panels();
-  bool draw_thumbnails();
+  void begin_thumbnails();
+  bool take_thumbnails();
   void show_start();
   bool draw();
   Overlay overlay();
@@ -111,7 +113,7 @@ class Viewer {
   Hand hand_;
   Panel panel_;
   Chooser chooser_;
-  Thumbnails thumbnails_;
+  std::optional<Thumbnails> thumbnails_;  ///< once the start page was shown
   StartPage start_page_;
   Session session_;
   bool has_work_ = false;  ///< another window has left some
@@ -131,8 +133,8 @@ class Viewer {
   bool insisting_ = false;  ///< not even files that are being written are waited for
   bool help_shown_ = false;
   bool start_shown_;
-  bool is_drawing_thumbnails_ = false;
   bool is_typing_ = false;  ///< the last key went to a field, and the picture was not pressed since
+  int to_enter_ = 0;        ///< frames in which a field may still get the keyboard: events wait
   int to_paint_;            ///< frames that the window still needs
   std::string message_;
   Clock::time_point message_end_;

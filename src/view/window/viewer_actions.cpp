@@ -73,6 +73,7 @@ bool Viewer::act_on_files(Action action) {
   switch (action) {
     case Action::Start:
       start_shown_ = true;
+      begin_thumbnails();
       return true;
     case Action::Open:
       list_files();
@@ -262,18 +263,31 @@ bool Viewer::may_lose_work() {
 
 // --- the start page
 
-bool Viewer::draw_thumbnails() {
+/// Where there is no second context, the page has the names alone.
+void Viewer::begin_thumbnails() {
+  if (thumbnails_) return;
   const double scale = window_.scale();
-  thumbnails_.fit(static_cast<int>(kThumbnailWidth * scale),
-                  static_cast<int>(kThumbnailHeight * scale));
-  return is_drawing_thumbnails_ = thumbnails_.draw();
+  try {
+    thumbnails_.emplace(Window::make_context(), static_cast<int>(kThumbnailWidth * scale),
+                        static_cast<int>(kThumbnailHeight * scale), Window::wake);
+  } catch (...) {
+    say(caught_error().what());
+  }
+}
+
+bool Viewer::take_thumbnails() {
+  if (!thumbnails_) return false;
+  thumbnails_->go_on();
+  return thumbnails_->take();
 }
 
 void Viewer::show_start() {
   StartPage& page = start_page_;
   page.recent = session_.recent_files();
   page.has_work = has_work_;
-  page.thumbnail = [this](std::size_t entry) { return thumbnails_.texture(entry); };
+  page.thumbnail = [this](std::size_t entry) {
+    return thumbnails_ ? thumbnails_->texture(entry) : 0;
+  };
   page.thumbnail_width = kThumbnailWidth * window_.scale();
   page.thumbnail_height = kThumbnailHeight * window_.scale();
   show_start_page(page, panel_.is_confirmed() && !chooser_.is_open());
@@ -284,7 +298,6 @@ void Viewer::show_start() {
   } else if (page.action) {
     act(*page.action);
   }
-  if (!start_shown_) is_drawing_thumbnails_ = false;
 }
 
 }  // namespace saddle

@@ -14,7 +14,6 @@
 #include <imgui.h>
 
 #include "base/error.h"
-#include "render/gl/context.h"
 
 namespace saddle {
 namespace {
@@ -65,6 +64,38 @@ Window& of(GLFWwindow* window) {
   return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
 
+void ask_for_opengl() {
+  glfwDefaultWindowHints();
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);  // targets have their own
+}
+
+/// That of a window which is never shown.
+class HiddenContext final : public Context {
+ public:
+  HiddenContext() {
+    ask_for_opengl();
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    window_ = glfwCreateWindow(1, 1, "off screen", nullptr, nullptr);
+    if (window_ == nullptr) fail("no second OpenGL context can be made");
+  }
+  ~HiddenContext() override { glfwDestroyWindow(window_); }
+  HiddenContext(const HiddenContext&) = delete;
+  HiddenContext& operator=(const HiddenContext&) = delete;
+
+  void enter() override {
+    glfwMakeContextCurrent(window_);
+    if (glfwGetCurrentContext() != window_) fail("the second OpenGL context cannot be used");
+  }
+  void leave() override { glfwMakeContextCurrent(nullptr); }
+  std::string name() const override { return "window"; }
+
+ private:
+  GLFWwindow* window_;
+};
+
 /// No larger than the screen.
 std::array<int, 2> fitting_size(int width, int height) {
   GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
@@ -103,11 +134,8 @@ Window::~Window() {
 }
 
 void Window::make_window(const std::string& title, int width, int height) {
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  ask_for_opengl();
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  glfwWindowHint(GLFW_DEPTH_BITS, 0);                   // the scene has its own
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "saddle");  // nothing without the other name
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "saddle");
   const auto [w, h] = fitting_size(width, height);
@@ -282,6 +310,10 @@ dvec2 Window::framebuffer_size() const {
   int height = 0;
   glfwGetFramebufferSize(window_, &width, &height);
   return {width, height};
+}
+
+std::unique_ptr<Context> Window::make_context() {
+  return std::make_unique<HiddenContext>();
 }
 
 void Window::set_title(const std::string& title) {

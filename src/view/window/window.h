@@ -4,11 +4,13 @@
 
 #include <array>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/vec.h"
+#include "render/gl/context.h"
 #include "view/window/events.h"
 
 struct GLFWwindow;
@@ -47,6 +49,10 @@ class Window {
   dvec2 framebuffer_size() const;
   /// Pixels per unit of the user's.
   double scale() const { return scale_; }
+
+  /// A context like the window's, without anything to see, which no thread has entered. This thread
+  /// ends it, before the window. Throws Error (Machine).
+  static std::unique_ptr<Context> make_context();
 
   void set_title(const std::string& title);
   /// The whole screen, or a window again.
