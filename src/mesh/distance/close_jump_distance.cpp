@@ -27,87 +27,140 @@ struct Crossing {
 
 }  // namespace
 
-/// The segments between the two sides that strips cross, sheet by sheet. `middles`: of the
-/// crossings, in sides of the leaf; the sheets before them are to the left of the way from one to
-/// the other.
-std::vector<std::array<dvec3, 2>> CloseJumpDistance::sheets_of(
-    const Leaf& leaf, std::array<dvec2, 2>& middles) const {
+/// The segments between the two sides that strips cross. The sheets before the middles of the
+/// crossings are to the left of the way from one to the other.
+CloseJumpDistance::Sheets CloseJumpDistance::sheets_of(const Leaf& leaf) const {
   std::vector<Crossing> crossings;
   for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) {
     if (const auto feature = tree_.edges().feature(a, b)) crossings.push_back({*feature, a, b});
   });
   const dvec2 low(leaf.low.u, leaf.low.v);
   const dvec2 size(leaf.size_u(), leaf.size_v());
+  const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+    const dvec2 ends = tree_.vertices().place_between(a) + tree_.vertices().place_between(b);
+    return (0.5 * ends - low) / size;
+  };
+  Sheets sheets;
   for (std::size_t k = 0; k < 2; ++k) {
     const EdgeFeature& feature = crossings[k].feature;
-    const dvec2 ends = tree_.vertices().place_between(feature.beside_first) +
-                       tree_.vertices().place_between(feature.beside_second);
-    middles[k] = (0.5 * ends - low) / size;
+    sheets.middles[k] = middle(feature.beside_first, feature.beside_second);
   }
   const auto& position = grid_.mesh.position;
   const Crossing& first = crossings[0];
   const Crossing& second = crossings[1];
-  const auto on_strip = [&](std::size_t strip, const EdgeFeature& feature, std::uint32_t end) {
-    const auto [a, b] = feature.on_strip(strip, end);
-    return 0.5 * (position[a] + position[b]);
-  };
-  std::vector<std::array<dvec3, 2>> sheets;
-  sheets.push_back(
+  sheets.segments.push_back(
       {position[first.feature.beside(first.from)], position[second.feature.beside(second.to)]});
   for (std::size_t k = 0; k < first.feature.strips; ++k) {
-    sheets.push_back(
-        {on_strip(k, first.feature, first.from), on_strip(k, second.feature, second.to)});
+    const auto [a, b] = first.feature.on_strip(k, first.from);
+    const auto [c, d] = second.feature.on_strip(k, second.to);
+    sheets.segments.push_back(
+        {0.5 * (position[a] + position[b]), 0.5 * (position[c] + position[d])});
+    sheets.in_strips.push_back({middle(a, b), middle(c, d)});
   }
-  sheets.push_back(
+  sheets.segments.push_back(
       {position[first.feature.beside(first.to)], position[second.feature.beside(second.from)]});
   return sheets;
 }
 
 void CloseJumpDistance::add(const Leaf& leaf, std::size_t number,
                             std::span<const Triangle> triangles) {
-  std::array<dvec2, 2> middles;
-  const std::vector<std::array<dvec3, 2>> sheets = sheets_of(leaf, middles);
+  const Sheets sheets = sheets_of(leaf);
+  const auto& middles = sheets.middles;
   const dvec2 left(middles[0].y - middles[1].y, middles[1].x - middles[0].x);
   if (left == dvec2(0)) return;
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 high = tree_.vertices().parameters(leaf.high);
   for (const double share : kAlongLine) {
     const dvec2 at = glm::mix(middles[0], middles[1], share);
+    const Line line = {border_of_square(at, left), border_of_square(at, -left)};
+    const dvec2 way = line[1] - line[0];
+    std::vector<dvec2> in_strips;
+    for (const auto& [from, to] : sheets.in_strips) {
+      const double before = glm::dot(glm::mix(from, to, share) - line[0], way);
+      in_strips.push_back(glm::mix(low, high, line[0] + before / glm::dot(way, way) * way));
+    }
     across_.push_back({number,
                        triangles,
-                       {glm::mix(low, high, border_of_square(at, left)),
-                        glm::mix(low, high, border_of_square(at, -left))},
+                       {glm::mix(low, high, line[0]), glm::mix(low, high, line[1])},
                        share,
-                       sheets});
+                       sheets.segments,
+                       std::move(in_strips)});
   }
+}
+
+/// The jumps of lines that have one between each two strips where the mesh has them; none for other
+/// lines.
+std::vector<std::vector<Line>> CloseJumpDistance::jumps_between_strips(double delta) {
+  std::vector<dvec2> uv;
+  for (const Across& across : across_) {
+    uv.push_back(across.line[0]);
+    uv.insert(uv.end(), across.in_strips.begin(), across.in_strips.end());
+    uv.push_back(across.line[1]);
+  }
+  const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+  evaluations_ += uv.size();
+  std::vector<Bracket> gaps;
+  std::size_t next = 0;
+  for (const Across& across : across_) {
+    for (std::size_t k = 0; k <= across.in_strips.size(); ++k, ++next)
+      gaps.push_back(
+          bracket_of({uv[next], uv[next + 1]}, across.line, points[next], points[next + 1]));
+    ++next;
+  }
+  const auto found = bisect_positions(surface_, gaps, delta, Prefer::Largest, kAllHalvings,
+                                      threads_, evaluations_);
+  std::vector<std::vector<Line>> jumps(across_.size());
+  next = 0;
+  for (std::size_t i = 0; i < across_.size(); ++i) {
+    const auto of = std::span(found).subspan(next, across_[i].in_strips.size() + 1);
+    next += of.size();
+    const auto jumps_there = [](const LocatedDiscontinuity& at) {
+      return at.kind == Discontinuity::Jump;
+    };
+    if (!std::ranges::all_of(of, jumps_there)) continue;
+    for (const LocatedDiscontinuity& at : of) jumps[i].push_back(at.ends);
+  }
+  return jumps;
+}
+
+/// Searches the lines without known jumps.
+void CloseJumpDistance::search(double delta, std::span<std::vector<Line>> jumps) {
+  std::vector<std::size_t> numbers;
+  std::vector<Line> lines;
+  for (std::size_t k = 0; k < across_.size(); ++k) {
+    if (!jumps[k].empty()) continue;
+    numbers.push_back(k);
+    lines.push_back(across_[k].line);
+  }
+  const auto first = find_discontinuities(surface_, lines, delta, threads_, evaluations_);
+  std::vector<std::size_t> crossed;
+  std::vector<Line> crossed_lines;
+  std::vector<LocatedDiscontinuity> known;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (first[k].kind != Discontinuity::Jump) continue;
+    crossed.push_back(numbers[k]);
+    crossed_lines.push_back(lines[k]);
+    known.push_back(first[k]);
+  }
+  auto all = find_all_jumps(surface_, crossed_lines, known, delta, threads_, evaluations_);
+  for (std::size_t k = 0; k < crossed.size(); ++k) jumps[crossed[k]] = std::move(all[k]);
 }
 
 std::vector<LeafDistance> CloseJumpDistance::measure(double delta) {
   std::vector<LeafDistance> found;
   if (across_.empty()) return found;
-  std::vector<Line> lines;
-  for (const Across& across : across_) lines.push_back(across.line);
-  const auto jumps = find_discontinuities(surface_, lines, delta, threads_, evaluations_);
-  std::vector<std::size_t> crossed;
-  std::vector<Line> crossed_lines;
-  std::vector<LocatedDiscontinuity> known;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    if (jumps[k].kind != Discontinuity::Jump) continue;
-    crossed.push_back(k);
-    crossed_lines.push_back(lines[k]);
-    known.push_back(jumps[k]);
-  }
-  const auto all = find_all_jumps(surface_, crossed_lines, known, delta, threads_, evaluations_);
+  std::vector<std::vector<Line>> jumps = jumps_between_strips(delta);
+  search(delta, jumps);
   // The sheets on the way: the outer ones where they end, the strips in their middles.
   std::vector<std::vector<dvec2>> places(across_.size());
   std::vector<dvec2> uv;
-  for (std::size_t i = 0; i < crossed.size(); ++i) {
-    if (all[i].empty()) continue;
-    std::vector<dvec2>& of = places[crossed[i]];
-    of.push_back(all[i].front()[0]);
-    for (std::size_t k = 0; k + 1 < all[i].size(); ++k)
-      of.push_back(0.5 * (all[i][k][1] + all[i][k + 1][0]));
-    of.push_back(all[i].back()[1]);
+  for (std::size_t i = 0; i < across_.size(); ++i) {
+    if (jumps[i].empty()) continue;
+    std::vector<dvec2>& of = places[i];
+    of.push_back(jumps[i].front()[0]);
+    for (std::size_t k = 0; k + 1 < jumps[i].size(); ++k)
+      of.push_back(0.5 * (jumps[i][k][1] + jumps[i][k + 1][0]));
+    of.push_back(jumps[i].back()[1]);
     uv.insert(uv.end(), of.begin(), of.end());
   }
   const std::vector<dvec3> positions = evaluate_positions(surface_, uv, threads_);

@@ -40,11 +40,19 @@ class CloseJumpDistance {
     double share;  ///< where it crosses the segments
     /// The segments along which the mesh's sheets end or, of strips, go through the leaf.
     std::vector<std::array<dvec3, 2>> sheets;
+    std::vector<dvec2> in_strips;  ///< where the mesh has its strips on the line
   };
+  std::vector<std::vector<Line>> jumps_between_strips(double delta);
+  void search(double delta, std::span<std::vector<Line>> jumps);
   void measure(const Across& across, std::span<const dvec2> uv, std::span<const dvec3> sheets,
                std::vector<LeafDistance>& found) const;
-  std::vector<std::array<dvec3, 2>> sheets_of(const Leaf& leaf,
-                                              std::array<dvec2, 2>& middles) const;
+  /// The sheets of a leaf, sheet by sheet.
+  struct Sheets {
+    std::vector<std::array<dvec3, 2>> segments;
+    std::array<dvec2, 2> middles;                 ///< of the crossings, in sides of the leaf
+    std::vector<std::array<dvec2, 2>> in_strips;  ///< of the strips there
+  };
+  Sheets sheets_of(const Leaf& leaf) const;
 
   const Surface& surface_;
   const Grid& grid_;
