@@ -98,26 +98,33 @@ Exporter::~Exporter() {
 }
 
 void Exporter::write(const Scene& scene, const Export& file) {
-  waiting_.push_back({write_scene(scene), scene.title, file});
+  add({write_scene(scene), [file] { return file; }});
+}
+
+void Exporter::write_new(const Scene& scene, const std::string& extension) {
+  const std::string title = scene.title;
+  add({write_scene(scene),
+       [title, extension] { return Export{free_file_name(title, extension)}; }});
+}
+
+void Exporter::add(Job job) {
+  waiting_.push_back(std::move(job));
   if (waiting_.size() == 1) begin_next();
 }
 
 /// A process that cannot begin is told as one that fails.
 void Exporter::begin_next() {
-  Job& job = waiting_.front();
-  if (!job.file.replaces) {  // by now the files before it are there
-    job.file.path = free_file_name(job.title, job.file.path.extension());
-  }
-  const std::string path = std::filesystem::absolute(job.file.path);  // no option, such as "-x.png"
+  const Job& job = waiting_.front();
+  const Export file = job.file();
+  const std::string path = std::filesystem::absolute(file.path);  // no option, such as "-x.png"
   std::vector<std::string> command{program_, "-", "-o", path};
-  if (job.file.size) {
-    command.insert(command.end(),
-                   {"--size", formatted("%dx%d", job.file.size->u, job.file.size->v)});
+  if (file.size) {
+    command.insert(command.end(), {"--size", formatted("%dx%d", file.size->u, file.size->v)});
   }
   if (threads_ > 0) command.insert(command.end(), {"--threads", std::to_string(threads_)});
   try {
     child_ = std::make_unique<Child>(command, "saddle");
-    worker_ = std::jthread([this, &job] { run(job); });
+    worker_ = std::jthread([this, &job, file] { run(job.scene, file.path); });
   } catch (...) {
     news_ = caught_error().what();
     child_.reset();
@@ -126,9 +133,9 @@ void Exporter::begin_next() {
   }
 }
 
-void Exporter::run(const Job& job) {
+void Exporter::run(const std::string& scene, const std::filesystem::path& path) {
   bool failed = false;
-  child_->feed(job.scene);
+  child_->feed(scene);
   try {
     child_->finish();
   } catch (const Error& error) {
@@ -137,7 +144,7 @@ void Exporter::run(const Job& job) {
   }
   const std::string& words = child_->words();
   if (!failed) {
-    news_ = "wrote " + job.file.path.string() + (words.empty() ? "" : "\n" + words);
+    news_ = "wrote " + path.string() + (words.empty() ? "" : "\n" + words);
   } else if (!words.empty()) {
     news_ = words;
   }

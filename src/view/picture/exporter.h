@@ -21,8 +21,6 @@ namespace saddle {
 struct Export {
   std::filesystem::path path;
   std::optional<GridSize> size = {};  ///< of the picture; nothing: the scene's
-  bool replaces = true;               ///< else only its extension counts: it is TITLE.html, or the
-                                      ///< first of TITLE-2.html ... that does not exist
 };
 
 /// The meaning of typed text: a file's name, and perhaps a picture's size after a space. Nothing:
@@ -51,8 +49,11 @@ class Exporter {
   Exporter(const Exporter&) = delete;
   Exporter& operator=(const Exporter&) = delete;
 
-  /// Writes a file, after those that were asked for before.
+  /// Writes a file, after those that were asked for before. One that exists is replaced.
   void write(const Scene& scene, const Export& file);
+  /// Writes TITLE.html, of a title and ".html", or the first of TITLE-2.html ... that does not
+  /// exist when those before are written.
+  void write_new(const Scene& scene, const std::string& extension);
 
   /// Goes on with the next file. Returns what became of the last one.
   std::optional<std::string> pass();
@@ -61,12 +62,12 @@ class Exporter {
  private:
   struct Job {
     std::string scene;
-    std::string title;
-    Export file;
+    std::function<Export()> file;  ///< asked when its turn has come
   };
 
+  void add(Job job);
   void begin_next();
-  void run(const Job& job);
+  void run(const std::string& scene, const std::filesystem::path& path);
 
   std::filesystem::path program_;
   unsigned threads_;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include "base/error.h"
 #include "base/format.h"
 #include "base/standard_streams.h"
 #include "view/panel/fields.h"
+#include "view/window/display_end.h"
 
 namespace saddle {
 namespace {
@@ -39,16 +39,6 @@ std::filesystem::file_time_type last_write(const std::filesystem::path& path) {
   return ignored ? std::filesystem::file_time_type::min() : time;
 }
 
-/// The one whose window is open.
-Viewer* running = nullptr;
-
-struct Running {
-  explicit Running(Viewer* viewer) { running = viewer; }
-  ~Running() { running = nullptr; }
-  Running(const Running&) = delete;
-  Running& operator=(const Running&) = delete;
-};
-
 }  // namespace
 
 Viewer::Viewer(ViewerSetup setup)
@@ -69,27 +59,23 @@ Viewer::Viewer(ViewerSetup setup)
 }
 
 void Viewer::run() {
-  [[maybe_unused]] static const int is_registered = std::atexit(keep_work_at_exit);
-  const Running is_running(this);
+  display_gone_ = [this] { tell_display_gone(); };
+  call_when_display_goes(display_gone_);
   while (!is_to_end()) step();
   keep_work(true);
   if (verbose_) print_times();
 }
 
-/// Xlib ends the process where the display has gone, from whatever was being done. Threads are at
-/// work, so nothing is destroyed.
-void Viewer::keep_work_at_exit() {
-  if (running == nullptr) return;
+/// Keeps work, as the process ends now.
+void Viewer::tell_display_gone() {
   std::string text = "the display has gone";
   try {
-    running->keep_work(true);
-    const std::string& why = running->not_kept_;
-    if (!why.empty()) text += ", and unsaved work is lost: " + why;
+    keep_work(true);
+    if (!not_kept_.empty()) text += ", and unsaved work is lost: " + not_kept_;
   } catch (...) {
     text += ", and unsaved work is lost";
   }
   tell(Error(Status::Machine, text));
-  std::_Exit(static_cast<int>(Status::Machine));
 }
 
 void Viewer::step() {

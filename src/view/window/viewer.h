@@ -87,7 +87,7 @@ class Viewer {
   void restore_work();
   void keep_work(bool now);
   bool may_lose_work();
-  static void keep_work_at_exit();
+  void tell_display_gone();
   bool is_writing() const { return saver_.is_busy() || exporter_.is_busy(); }
   void look_at_file();
   dvec2 in_picture(const dvec2& place) const { return {place.x - panel_width(), place.y}; }
@@ -108,6 +108,7 @@ class Viewer {
   std::filesystem::path watched_;
   std::filesystem::file_time_type written_;  ///< when that file was, as far as is known
   Clock::time_point looked_;
+  std::function<void()> display_gone_;  ///< outlives the window
   Window window_;
   Drawing drawing_;
   Hand hand_;

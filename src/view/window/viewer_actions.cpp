@@ -88,7 +88,8 @@ bool Viewer::act_on_files(Action action) {
       saver_.save_picture(model_.scene_to_save());
       return true;
     case Action::SavePage:
-      write_file({.path = "page.html", .replaces = false});
+      exporter_.write_new(model_.scene_to_save(), ".html");
+      say("writing a page");
       return true;
     case Action::SaveScene: {
       const auto path = save_scene(model_.scene_to_save());
@@ -197,7 +198,7 @@ void Viewer::list_exports() {
 
 void Viewer::write_file(const Export& file) {
   exporter_.write(model_.scene_to_save(), file);
-  say("writing " + (file.replaces ? file.path.string() : "a page"));
+  say("writing " + file.path.string());
 }
 
 // --- scenes

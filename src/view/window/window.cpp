@@ -96,6 +96,12 @@ class HiddenContext final : public Context {
   GLFWwindow* window_;
 };
 
+/// Hints are 4.5 times as bright as the fields that they stand in, which ImGui's own are not.
+void use_dark_colors() {
+  ImGui::StyleColorsDark();
+  ImGui::GetStyle().Colors[ImGuiCol_TextDisabled] = {0.6F, 0.6F, 0.6F, 1};
+}
+
 /// No larger than the screen.
 std::array<int, 2> fitting_size(int width, int height) {
   GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
@@ -220,7 +226,7 @@ void Window::start_panel() {
   const float size = std::round(kFontSize * static_cast<float>(scale_));
   add_font(kFonts, size);
   add_font(kMonoFonts, size);
-  ImGui::StyleColorsDark();
+  use_dark_colors();
   ImGui::GetStyle().ScaleAllSizes(static_cast<float>(scale_));
   ImGui_ImplGlfw_InitForOpenGL(window_, false);  // it hears from listen()
   ImGui_ImplOpenGL3_Init("#version 330 core");
@@ -345,7 +351,7 @@ void Window::set_light(bool is_light) {
     style.Colors[ImGuiCol_TextDisabled] = {0.4F, 0.4F, 0.4F, 1};
     style.Colors[ImGuiCol_PopupBg] = style.Colors[ImGuiCol_WindowBg];
   } else {
-    ImGui::StyleColorsDark();
+    use_dark_colors();
   }
   style.FrameBorderSize = is_light ? std::round(static_cast<float>(scale_)) : 0;
 }
