@@ -39,6 +39,10 @@ namespace {
 /// of a tape (ten to fifty) stay within a second-level cache. Measured on torus and seashell: 64 is
 /// a third slower, from 128 to 512 a tenth, from 1024 to 4096 it makes no difference.
 constexpr std::size_t kBlock = 1024;
+/// The least block, of a tape of many slots, and the doubles that slots may take: as many as a
+/// second-level cache holds.
+constexpr std::size_t kLeastBlock = 64;
+constexpr std::size_t kDoublesOfSlots = 128 * kBlock;
 
 /// Points that one thread takes at a time: some milliseconds of work, so that starting it is free.
 constexpr std::size_t kChunk = 32 * kBlock;
@@ -102,20 +106,28 @@ Banks banks_of(const Tape& tape) {
   return banks;
 }
 
+/// Numbers per block of a tape of so many slots, in whole lines of the cache.
+std::size_t block_of(std::size_t slots, std::size_t count) {
+  const std::size_t fitting = kDoublesOfSlots / std::max<std::size_t>(slots, 1);
+  return Slots::pitch(std::min(std::clamp(fitting, kLeastBlock, kBlock), count));
+}
+
 }  // namespace
 
 void evaluate_points(const Tape& tape, std::span<const double> u, std::span<const double> v,
                      std::span<double* const> outputs, unsigned threads) {
   if (tape.count) tape.count->add(u.size());
   assert(u.size() == v.size());
+  const std::size_t slots = tape.slots_u + tape.slots_v + tape.slots_both;
+  const std::size_t block = block_of(slots, u.size());
   parallel_chunks(u.size(), kChunk, threads, [&](std::size_t begin, std::size_t end) {
-    const Slots memory((tape.slots_u + tape.slots_v + tape.slots_both) * kBlock);
+    const Slots memory(slots * block);
     Banks banks = banks_of(tape);
-    banks[Rate::U] = {memory.data(), kBlock};
-    banks[Rate::V] = {memory.data() + tape.slots_u * kBlock, kBlock};
-    banks[Rate::Both] = {banks[Rate::V].data + tape.slots_v * kBlock, kBlock};
-    for (std::size_t at = begin; at < end; at += kBlock) {
-      const std::size_t count = std::min(kBlock, end - at);
+    banks[Rate::U] = {memory.data(), block};
+    banks[Rate::V] = {memory.data() + tape.slots_u * block, block};
+    banks[Rate::Both] = {banks[Rate::V].data + tape.slots_v * block, block};
+    for (std::size_t at = begin; at < end; at += block) {
+      const std::size_t count = std::min(block, end - at);
       std::copy_n(u.data() + at, count, banks[Rate::U].data);
       std::copy_n(v.data() + at, count, banks[Rate::V].data);
       banks.run(tape.of_u, count);
@@ -160,12 +172,13 @@ void evaluate_grid(const Tape& tape, std::span<const double> u, std::span<const 
   const GridBanks grid(tape, u, v);
   const std::size_t rows_per_chunk =
       std::max<std::size_t>(1, kChunk / std::max<std::size_t>(1, u.size()));
+  const std::size_t block = block_of(tape.slots_both, u.size());
   parallel_chunks(v.size(), rows_per_chunk, threads, [&](std::size_t begin, std::size_t end) {
-    const Slots memory(tape.slots_both * kBlock);
+    const Slots memory(tape.slots_both * block);
     for (std::size_t row = begin; row < end; ++row) {
-      for (std::size_t column = 0; column < u.size(); column += kBlock) {
-        const std::size_t count = std::min(kBlock, u.size() - column);
-        const Banks banks = grid.stretch(column, row, memory, kBlock);
+      for (std::size_t column = 0; column < u.size(); column += block) {
+        const std::size_t count = std::min(block, u.size() - column);
+        const Banks banks = grid.stretch(column, row, memory, block);
         banks.run(tape.of_both, count);
         banks.store(tape, outputs, row * u.size() + column, count);
       }

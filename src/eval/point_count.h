@@ -1,8 +1,9 @@
-// Counts the points at which a surface is computed.
+// Counts the points at which a surface is computed, and says how many more may be.
 #pragma once
 
 #include <atomic>
 #include <cstddef>
+#include <limits>
 
 namespace saddle {
 
@@ -13,8 +14,13 @@ class PointCount {
   void add(std::size_t points) { points_.fetch_add(points, std::memory_order_relaxed); }
   std::size_t total() const { return points_.load(std::memory_order_relaxed); }
 
+  /// Allows so many more points; without a call there is no limit. Called where no thread computes.
+  void allow(std::size_t points) { most_ = total() + points; }
+  bool is_used_up() const { return total() >= most_; }
+
  private:
   std::atomic<std::size_t> points_ = 0;
+  std::size_t most_ = std::numeric_limits<std::size_t>::max();
 };
 
 }  // namespace saddle

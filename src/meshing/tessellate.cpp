@@ -79,7 +79,7 @@ auto tolerance_in(const Scene& scene, const SurfaceSpec& spec, const Purpose& pu
 }
 
 MeshRequest first_request(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
-                          unsigned threads) {
+                          const Surface& surface, unsigned threads) {
   MeshRequest request;
   if (const auto samples = samples_of(scene, spec)) {
     request.samples = {static_cast<std::size_t>(samples->u), static_cast<std::size_t>(samples->v)};
@@ -91,7 +91,7 @@ MeshRequest first_request(const Scene& scene, const SurfaceSpec& spec, const Pur
   if (request.normal_tolerance < kHalfTurn.high) {
     request.normal_tolerance /= rest_of_stretch(scene, purpose);
   }
-  request.max_triangles = most_triangles(scene, spec);
+  request.max_triangles = most_triangles(scene, spec, surface);
   request.least_effort = least_effort(scene);
   request.lines_u = spec.grid_u;
   request.lines_v = spec.grid_v;
@@ -120,7 +120,7 @@ class ProportionateMesher {
         spec_(spec),
         purpose_(purpose),
         surface_(surface),
-        request_(first_request(scene, spec, purpose, threads)) {
+        request_(first_request(scene, spec, purpose, surface, threads)) {
     request_.tolerance = [this, tolerance = request_.tolerance](const Probe& probe) {
       around_ = probe.bounds();
       positions_ = probe.positions();
@@ -171,7 +171,7 @@ class ProportionateMesher {
     std::optional<MeshResult> mesh = try_mesh(surface_, request);
     if (mesh && !scene_.mesh.max_triangles) {
       const auto least = static_cast<std::size_t>(
-          kLeastShare * static_cast<double>(most_triangles(scene_, spec_)));
+          kLeastShare * static_cast<double>(most_triangles(scene_, spec_, surface_)));
       const std::size_t taken = mesh->report.effort / kPlacesPerTriangle;
       request.max_triangles = std::max(request.max_triangles, least + taken) - taken;
     }
@@ -230,8 +230,9 @@ class ProportionateMesher {
 MeshResult mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                          const Surface& surface, unsigned threads) {
   const UniformRequest fallback = uniform_request(scene, spec, purpose, threads);
+  if (!samples_of(scene, spec)) surface.tangents.count->allow(most_points(scene, spec, surface));
   if (!scene.clip.automatic) {
-    return make_mesh(surface, first_request(scene, spec, purpose, threads), fallback);
+    return make_mesh(surface, first_request(scene, spec, purpose, surface, threads), fallback);
   }
   auto mesh = ProportionateMesher(scene, spec, purpose, surface, threads).run();
   return mesh ? std::move(*mesh) : mesh_uniformly(surface, fallback);

@@ -11,6 +11,7 @@
 #include "scene/model/camera.h"
 #include "scene/model/instances.h"
 #include "scene/model/scene.h"
+#include "surface/surface.h"
 
 namespace saddle {
 
@@ -55,6 +56,12 @@ double tolerance_share(const Scene& scene, const Purpose& purpose);
 /// about one per pixel of the picture, from 1000000 to 4000000, more than can be told apart in it.
 /// Fewer where many surfaces share what a scene may have, or where --max-memory is little.
 std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec);
+
+/// The points at which a surface may be computed for its mesh, with all checks: fewer if its
+/// formula is long.
+std::size_t most_points(const Scene& scene, const SurfaceSpec& spec, const Surface& surface);
+/// Triangles at most, no more than these points are worth.
+std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec, const Surface& surface);
 
 /// The limit of a run that makes most_triangles() fewer, if one does.
 Shortage shortage_of_triangles(const Scene& scene, const SurfaceSpec& spec);

@@ -1,12 +1,25 @@
 #include "study/check_surface.h"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
 #include "base/activity.h"
+#include "mesh/sizing/effort.h"
+#include "meshing/tolerance.h"
 
 namespace saddle {
 namespace {
+
+/// Places of a short formula that one may take as long as before it is checked with less work.
+constexpr double kLongPlace = 8;
+
+/// The share of its checks' work that a surface may have: less if it is one of many surfaces, or of
+/// a long formula.
+double share_of_checks(const Scene& scene, const Surface& surface) {
+  return share_of_searches(least_effort(scene)) *
+         std::min(1.0, kLongPlace / Effort(surface).place());
+}
 
 /// Puts the user's (u, v) in place of the surface's parameters where v depends on u. `domain`: that
 /// of the mesh in the user's.
@@ -38,8 +51,8 @@ CheckedSurface check_surface(const Scene& scene, const SurfaceSpec& spec, unsign
   const Activity gathering("integrals and extremes");
   const Surface surface = meshed.prepared.surface;
   CheckedSurface result;
-  result.facts =
-      gather_facts(surface, meshed.mesh.mesh, meshed.mesh.report, meshed.is_clipped, threads);
+  result.facts = gather_facts(surface, meshed.mesh.mesh, meshed.mesh.report, meshed.is_clipped,
+                              threads, share_of_checks(scene, surface));
   result.tessellation = tessellation_of(spec, std::move(meshed));
   result.facts.where = spec.where;
   name_parameters(surface, spec, result.tessellation.domain, result.facts);

@@ -79,8 +79,13 @@ struct BoundedBox {
 
 class ExtremesSearch {
  public:
-  ExtremesSearch(const Surface& surface, const std::optional<Bounds>& within, unsigned threads)
-      : surface_(surface), within_(within), threads_(threads), enclosure_(surface) {}
+  ExtremesSearch(const Surface& surface, const std::optional<Bounds>& within, double share,
+                 unsigned threads)
+      : surface_(surface),
+        within_(within),
+        most_boxes_(static_cast<std::size_t>(share * kMostBoxes)),
+        threads_(threads),
+        enclosure_(surface) {}
 
   ValueRanges run(std::span<const dvec2> places) {
     const std::vector<SurfacePoint> points = evaluate(surface_, places, threads_);
@@ -212,7 +217,7 @@ class ExtremesSearch {
     BoundedBox whole = {box_of(surface_.domain), {}, kNoValues, 0};
     whole.bounds = enclose(whole.box);
     std::vector<BoundedBox> parts = {whole};
-    while (boxes_ < kMostBoxes) {
+    while (boxes_ < most_boxes_) {
       std::vector<BoundedBox> worst = take_worst(parts);
       if (worst.empty()) break;
       std::ranges::move(halves(worst), std::back_inserter(parts));
@@ -242,7 +247,7 @@ class ExtremesSearch {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const bool is_bad = excesses[k] > std::max(kClose, kWorstExcess * most) ||
                           (has_endless(parts[k].bounds) && parts[k].halvings < kEndlessHalvings);
-      if (is_bad && boxes_ + 2 * worst.size() < kMostBoxes) {
+      if (is_bad && boxes_ + 2 * worst.size() < most_boxes_) {
         worst.push_back(parts[k]);
       } else {
         parts[kept++] = parts[k];
@@ -359,6 +364,7 @@ class ExtremesSearch {
 
   const Surface& surface_;
   const std::optional<Bounds>& within_;
+  std::size_t most_boxes_;
   unsigned threads_;
   CurvatureEnclosure enclosure_;
   double usual_u_ = 0;  // lengths of tangents
@@ -375,8 +381,8 @@ class ExtremesSearch {
 }  // namespace
 
 ValueRanges find_extremes(const Surface& surface, std::span<const dvec2> places,
-                          const std::optional<Bounds>& within, unsigned threads) {
-  return ExtremesSearch(surface, within, threads).run(places);
+                          const std::optional<Bounds>& within, double share, unsigned threads) {
+  return ExtremesSearch(surface, within, share, threads).run(places);
 }
 
 }  // namespace saddle

@@ -42,10 +42,10 @@ using ValueRanges = std::array<ValueRange, kQuantities>;
 
 /// Branch and bound over boxes of parameters, whose middles are samples beside the `places`; then
 /// searches from the best samples. Curvatures are those of regular points.
-/// `within`: points of the surface outside of this box are left out. For a surface of second order.
-/// Source: E. Hansen, G. W. Walster, "Global optimization using interval analysis", 2004,
-/// chapter 12.
+/// `share`: of the boxes that may be bounded. `within`: points of the surface outside of this box
+/// are left out. For a surface of second order. Source: E. Hansen, G. W. Walster, "Global
+/// optimization using interval analysis", 2004, chapter 12.
 ValueRanges find_extremes(const Surface& surface, std::span<const dvec2> places,
-                          const std::optional<Bounds>& within, unsigned threads);
+                          const std::optional<Bounds>& within, double share, unsigned threads);
 
 }  // namespace saddle

@@ -34,14 +34,14 @@ Closed closed_as_proved(const Facts& facts, const MeshReport& report) {
 }  // namespace
 
 Facts gather_facts(const Surface& surface, const Mesh& mesh, const MeshReport& report,
-                   bool is_clipped, unsigned threads) {
+                   bool is_clipped, unsigned threads, double share) {
   Facts facts;
   facts.domain = surface.domain;
-  facts.defined = prove_defined(surface, kBoxes);
+  facts.defined = prove_defined(surface, static_cast<std::size_t>(share * kBoxes));
   facts.topology = topology(mesh);
   Covered covered = report.undefined_fraction == 0 ? Covered::Whole : Covered::Defined;
   if (is_clipped || report.pole_count > 0) covered = Covered::Part;
-  facts.measures = measure_surface(surface, mesh, covered, threads);
+  facts.measures = measure_surface(surface, mesh, covered, threads, share);
   facts.singular = singular_places(surface, mesh, report);
   facts.singular_u = report.singular_u;
   facts.singular_v = report.singular_v;

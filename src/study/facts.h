@@ -36,8 +36,9 @@ struct Facts {
   Closed closed = Closed::No;
 };
 
-/// For a surface of second order and its mesh, all of it or what is left in a box.
+/// For a surface of second order and its mesh, all of it or what is left in a box. `share`: of the
+/// work that does not grow with the mesh, less for one of many surfaces.
 Facts gather_facts(const Surface& surface, const Mesh& mesh, const MeshReport& report,
-                   bool is_clipped, unsigned threads);
+                   bool is_clipped, unsigned threads, double share = 1);
 
 }  // namespace saddle

@@ -12,8 +12,9 @@ namespace saddle {
 
 namespace {
 
-/// Rectangles in each direction to begin with: their halves have 192 x 240 points.
+/// Rectangles each way to begin with, and the fewest: the halves of 24 x 24 have 192 x 240 points.
 constexpr std::size_t kFirstRectangles = 24;
+constexpr std::size_t kFewestRectangles = 4;
 /// Points that may be evaluated: some tenths of a second.
 constexpr std::size_t kMostPoints = 600'000;
 /// Differences that together are no more than this share are rounding.
@@ -79,14 +80,14 @@ void add_to(Integrals& sum, const Integrals& part, double weight = 1) {
 /// substitution with slopes of 0 at the ends makes 1 / sqrt(distance) smooth there.
 class LineIntegrator {
  public:
-  LineIntegrator(const Surface& surface, const dvec3& centre, unsigned threads)
-      : surface_(surface), threads_(threads), centre_(centre) {}
+  LineIntegrator(const Surface& surface, const dvec3& centre, unsigned threads, std::size_t most)
+      : surface_(surface), threads_(threads), centre_(centre), most_points_(most) {}
 
   Integrals run() {
     const Domain& d = surface_.domain;
     const std::vector<double> ends = even_lines(d.u0, d.u1, kFirstPanels);
     for (std::size_t k = 0; k < kFirstPanels; ++k) add(ends[k], ends[k + 1]);
-    while (evaluations_ < kMostPoints) {
+    while (evaluations_ < most_points_) {
       const auto worst = std::ranges::max_element(panels_, {}, &Panel::error);
       const double middle = 0.5 * worst->low + 0.5 * worst->high;
       if (!(worst->error > kRounded * total().area.value)) break;
@@ -209,24 +210,26 @@ class LineIntegrator {
   const Surface& surface_;
   unsigned threads_;
   dvec3 centre_;
+  std::size_t most_points_;
   std::vector<Panel> panels_;
   std::size_t evaluations_ = 0;
 };
 
 class Integrator {
  public:
-  Integrator(const Surface& surface, const dvec3& centre, double size, unsigned threads)
-      : surface_(surface), threads_(threads), centre_(centre), size_(size) {}
+  Integrator(const Surface& surface, const dvec3& centre, double size, unsigned threads,
+             double share)
+      : surface_(surface), threads_(threads), centre_(centre), size_(size), share_(share) {}
 
   Integrals run() {
     begin();
     std::optional<Integrals> by_lines;
     if (has_holes_) {
-      by_lines = LineIntegrator(surface_, centre_, threads_).run();
+      by_lines = LineIntegrator(surface_, centre_, threads_, most_points_).run();
       if (by_lines->area.error <= kGoodArea * by_lines->area.value) return *by_lines;
     }
     Integrals all = total();
-    while (evaluations_ < kMostPoints && error_of(all) > kRounded * std::fabs(all.area.value)) {
+    while (evaluations_ < most_points_ && error_of(all) > kRounded * std::fabs(all.area.value)) {
       if (!halve_worst()) break;
       all = total();
     }
@@ -242,13 +245,15 @@ class Integrator {
 
   void begin() {
     const Domain& d = surface_.domain;
-    const auto at = [](double first, double last, std::size_t k) {
-      const double part = static_cast<double>(k) / kFirstRectangles;
+    const std::size_t count =
+        std::max(kFewestRectangles, static_cast<std::size_t>(std::sqrt(share_) * kFirstRectangles));
+    const auto at = [count](double first, double last, std::size_t k) {
+      const double part = static_cast<double>(k) / static_cast<double>(count);
       return first * (1 - part) + last * part;
     };
     std::vector<ParameterBox> rectangles;
-    for (std::size_t j = 0; j < kFirstRectangles; ++j) {
-      for (std::size_t i = 0; i < kFirstRectangles; ++i) {
+    for (std::size_t j = 0; j < count; ++j) {
+      for (std::size_t i = 0; i < count; ++i) {
         rectangles.push_back({{at(d.u0, d.u1, i), at(d.v0, d.v1, j)},
                               {at(d.u0, d.u1, i + 1), at(d.v0, d.v1, j + 1)}});
       }
@@ -354,7 +359,7 @@ class Integrator {
     std::vector<Cell> halves;
     const auto take = [&](const Cell& cell) {
       const bool is_taken =
-          cell.error >= kWorst * worst && evaluations_ + halves.size() * 4 * kPoints < kMostPoints;
+          cell.error >= kWorst * worst && evaluations_ + halves.size() * 4 * kPoints < most_points_;
       if (!is_taken) return false;
       for (std::size_t which = 0; which < 2; ++which) {
         Cell half;
@@ -378,7 +383,8 @@ class Integrator {
   const Surface& surface_;
   unsigned threads_;
   dvec3 centre_;
-  double size_;
+  double size_, share_;
+  std::size_t most_points_ = static_cast<std::size_t>(share_ * kMostPoints);
   std::vector<Cell> cells_;
   std::size_t evaluations_ = 0;
   bool has_holes_ = false;  // some points are not defined
@@ -387,8 +393,8 @@ class Integrator {
 }  // namespace
 
 Integrals integrate_domain(const Surface& surface, const dvec3& centre, double size,
-                           unsigned threads) {
-  return Integrator(surface, centre, size, threads).run();
+                           unsigned threads, double share) {
+  return Integrator(surface, centre, size, threads, share).run();
 }
 
 }  // namespace saddle

@@ -26,9 +26,10 @@ struct Integrals {
 /// rounding or the work is too much: toward a line at which the integrand goes to infinity they
 /// become narrower and narrower. Where a part is not defined, integrals along lines between its
 /// ends are taken if they are better. `size`: the surface's, by which volumes are compared with
-/// areas. Method: Gauss's rule with 4 x 5 points, adaptive as of P. van Dooren, L. de Ridder, "An
-/// adaptive algorithm for numerical integration over an n-dimensional cube", 1976.
+/// areas. `share`: of the points that may be evaluated, less for one of many surfaces. Method:
+/// Gauss's rule with 4 x 5 points, adaptive as of P. van Dooren, L. de Ridder, "An adaptive
+/// algorithm for numerical integration over an n-dimensional cube", 1976.
 Integrals integrate_domain(const Surface& surface, const dvec3& centre, double size,
-                           unsigned threads);
+                           unsigned threads, double share = 1);
 
 }  // namespace saddle

@@ -41,8 +41,12 @@ std::array<RadonNode, 7> radon_rule() {
 
 class SampleMeasurer {
  public:
-  SampleMeasurer(const Surface& surface, const Mesh& mesh, unsigned threads)
-      : surface_(surface), mesh_(mesh), threads_(threads), centre_(mesh.bounds.centre()) {}
+  SampleMeasurer(const Surface& surface, const Mesh& mesh, unsigned threads, double share)
+      : surface_(surface),
+        mesh_(mesh),
+        threads_(threads),
+        share_(share),
+        centre_(mesh.bounds.centre()) {}
 
   Measures run(Covered covered) {
     integrate_triangles();
@@ -55,7 +59,7 @@ class SampleMeasurer {
   /// Takes the integrals over the domain if they are the better known ones. The triangles' ones
   /// are not known better than the two agree, as where the integrand goes to infinity.
   void take_domain() {
-    Integrals all = integrate_domain(surface_, centre_, mesh_.bounds.diagonal(), threads_);
+    Integrals all = integrate_domain(surface_, centre_, mesh_.bounds.diagonal(), threads_, share_);
     result_.evaluations += all.evaluations;
     if (surface_.flip) all.volume.value = -all.volume.value;
     const double off = std::fabs(all.area.value - result_.area.value);
@@ -125,7 +129,7 @@ class SampleMeasurer {
   void find_ranges(Covered covered) {
     std::optional<Bounds> within;
     if (covered == Covered::Part) within = mesh_.bounds;
-    const ValueRanges ranges = find_extremes(surface_, mesh_.uv, within, threads_);
+    const ValueRanges ranges = find_extremes(surface_, mesh_.uv, within, share_, threads_);
     result_.gauss = ranges[kGauss];
     result_.mean = ranges[kMean];
     result_.extents = result_.extents_bounds = mesh_.bounds;
@@ -143,6 +147,7 @@ class SampleMeasurer {
   const Surface& surface_;
   const Mesh& mesh_;
   unsigned threads_;
+  double share_;
   dvec3 centre_;  // volumes are taken around it, which keeps their digits far from the origin
   std::array<RadonNode, 7> rule_ = radon_rule();
   struct {
@@ -155,8 +160,8 @@ class SampleMeasurer {
 }  // namespace
 
 Measures measure_surface(const Surface& surface, const Mesh& mesh, Covered covered,
-                         unsigned threads) {
-  return SampleMeasurer(surface, mesh, threads).run(covered);
+                         unsigned threads, double share) {
+  return SampleMeasurer(surface, mesh, threads, share).run(covered);
 }
 
 }  // namespace saddle

@@ -22,8 +22,9 @@ enum class Covered { Whole, Defined, Part };
 
 /// Integrals over the domain, or over each triangle of parameters by a rule that is exact for
 /// polynomials of degree 5: of what the mesh covers, those that are known better. For a surface of
-/// second order. Source: J. Radon, "Zur mechanischen Kubatur", 1948.
+/// second order. `share`: of the work that does not grow with the mesh, less for one of many
+/// surfaces. Source: J. Radon, "Zur mechanischen Kubatur", 1948.
 Measures measure_surface(const Surface& surface, const Mesh& mesh, Covered covered,
-                         unsigned threads);
+                         unsigned threads, double share = 1);
 
 }  // namespace saddle

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/run_limits.h"
 #include "eval/batch.h"
 #include "eval/vectors.h"
 #include "surface/forms.h"
@@ -90,6 +91,10 @@ NormalColumns normal_columns(std::size_t count, Evaluate evaluate) {
 
 }  // namespace
 
+bool Surface::may_go_on() const {
+  return !(tangents.count && tangents.count->is_used_up()) && shortage() != Shortage::Time;
+}
+
 Surface make_surface(Graph& graph, const std::array<NodeId, 3>& r, const Domain& domain, bool flip,
                      Order order) {
   const Tangents tangents = tangents_of(graph, r);
@@ -101,7 +106,7 @@ Surface make_surface(Graph& graph, const std::array<NodeId, 3>& r, const Domain&
     surface.bounds = compile(graph, second_order_outputs(graph, tangents), Powers::Whole);
   }
   surface.tangents.count = std::make_shared<PointCount>();
-  surface.normals.count = surface.curvatures.count = surface.tangents.count;
+  surface.normals.count = surface.curvatures.count = surface.bounds.count = surface.tangents.count;
   surface.positions = first_outputs(surface.tangents, 3);
   return surface;
 }

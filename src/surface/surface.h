@@ -52,6 +52,9 @@ struct Surface {
   /// The points at which tangents, normals, curvatures or colours were computed so far, for this
   /// surface and its copies.
   std::size_t evaluations() const { return tangents.count ? tangents.count->total() : 0; }
+  /// Whether work that can stop early may go on: points are left, and time. Asked where no threads
+  /// compute, so that the answer does not depend on their number.
+  bool may_go_on() const;
 };
 
 /// x, y, z: nodes that depend on u and v alone. The derivatives come from the formulas.

@@ -80,6 +80,53 @@ def nested(count):
     return text
 
 
+SUM = "z=sum(sin(n*u)*cos(n*v)/n, n=1:1000)"
+NESTED = "z=sum(sum(sin(n*u+m*v)/(n*m), n=1:70), m=1:70)"
+WEIERSTRASS = "sum(0.7^n*cos(7^n*pi*u)*cos(7^n*v), n=1:40)"
+OSCILLATION = "z=sin(1/(u*v))"
+NOISE = "z=sin(1e6*u*v)"
+STEPS = "z=floor(30*u)*floor(30*v)"
+
+
+def surfaces(count, z, more=""):
+    return scene(lambda: f'[[surface]]\nz="{z}"\n{more}' * count)
+
+
+def hard():
+    """What takes the mesher, the pictures and the files longest."""
+    # Noise as a figure is the known exception of docs/LIMITS.md.
+    files = [Case(f"{name} as {kind.upper()}", [z, "-o", f"a.{kind}"],
+                  seconds=180 if z == NOISE and kind in ("svg", "pdf") else SECONDS)
+             for name, z in (("an oscillation", OSCILLATION), ("noise", NOISE), ("steps", STEPS))
+             for kind in ("svg", "pdf", "html", "glb", "3mf", "obj")]
+    return files + [
+        Case("a sum of 1,000 terms", [SUM, "-o", "a.png"]),
+        Case("a sum of 4,900 terms", [NESTED, "-o", "a.png"]),
+        Case("a sum of 4,900 terms, checked", ["check", NESTED]),
+        Case("a curve without slopes", [f"z={WEIERSTRASS}", "-o", "a.png"]),
+        Case("a curve without slopes, checked", ["check", f"z={WEIERSTRASS}"]),
+        Case("2,000 surfaces of waves", DRAW, surfaces(2000, "sin(9*u*v)")),
+        Case("300 oscillations, checked", ["check", "s.toml"], surfaces(300, "sin(1/(u*v))")),
+        Case("300 surfaces of steps", DRAW, surfaces(300, "floor(30*u)*floor(30*v)")),
+        Case("noise, as a solid", [NOISE, "--thickness", "0.01", "-o", "a.stl"]),
+        Case("an oscillation, as a solid", [OSCILLATION, "--thickness", "0.1", "-o", "a.stl"]),
+        Case("steps, as a solid", [STEPS, "--thickness", "0.01", "-o", "a.3mf"]),
+        Case("a curve of noise", ["curve", "x=s", "y=sin(1e9*s)", "z=cos(1e8*s)", "s=-1:1",
+                                  "-o", "a.png"]),
+        Case("a tube of noise", ["curve", "x=s", "y=sin(1e5*s)", "z=cos(1e4*s)", "s=-1:1",
+                                 "--radius", "0.01", "-o", "a.png"]),
+        Case("colours without slopes", ["z=u*v", "--color", WEIERSTRASS, "-o", "a.png"]),
+        Case("level lines of waves", [OSCILLATION, "--contours", "sin(300*u*v)", "-o", "a.png"]),
+        Case("a condition without an edge", DRAW,
+             surfaces(1, "u*v", 'where="sin(1/(u*v))>0"\n')),
+        Case("a long formula at each pixel", [SUM, "--shading", "exact", "-o", "a.png"]),
+        Case("steps, checked", ["check", STEPS]),
+        Case("poles of a function, checked", ["check", "z=gamma(u*9)*gamma(v*9)"]),
+        Case("noise in two seconds", [NOISE, "--max-time", "2", "-o", "a.svg"], seconds=30,
+             statuses=(0, 1)),
+    ]
+
+
 def corpus(short):
     cheap = [
         Case("names that drive a terminal", DRAW + ["-v"], scene(f'[[surface]]\n{EVIL}\nz="1/u"\n'),
@@ -130,7 +177,7 @@ def corpus(short):
     ]
     if short:
         return cheap
-    return cheap + [
+    return cheap + hard() + [
         Case("170,000 transforms in a line", DRAW, scene(lambda: one_line(170000))),
         Case("200,000 chained params", DRAW, scene(lambda: chained(200000))),
         Case("30,000 nodes", DRAW, scene(lambda: '[[surface]]\nz="u"\nin="n0"\n' + "".join(

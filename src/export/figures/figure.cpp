@@ -77,13 +77,13 @@ class FigureMaker {
     return result;
   }
 
-  void add_chain(FigureLines& lines, std::vector<dvec3> chain, double pixels_nearer) const {
+  void add_chain(FigureLines& lines, std::vector<dvec3> chain, double pixels_nearer) {
     if (chain.size() == 1) chain.push_back(chain[0]);  // a dot
     auto parts = depths_.visible(chain, 2 * pixels_nearer / size_.y);
     std::ranges::move(parts, std::back_inserter(lines.lines));
   }
 
-  void add_lines(Figure& figure, const Instance& instance) const {
+  void add_lines(Figure& figure, const Instance& instance) {
     const SurfaceSpec& spec = scene_.surfaces[instance.surface];
     const Mesh& mesh = meshes_[instance.surface];
     FigureLines lines{
@@ -112,7 +112,7 @@ class FigureMaker {
     return result;
   }
 
-  void annotate_figure(Figure& figure) const {
+  void annotate_figure(Figure& figure) {
     std::vector<std::optional<ColorRange>> ranges;
     for (const Mesh& mesh : meshes_) ranges.push_back(color_range_of(mesh));
     const std::vector<ColorScale> scales = color_scales(scene_, ranges);

@@ -67,6 +67,7 @@ void PictureDepths::add(const std::array<dvec3, 3>& corners) {
   const double across = ((b.z - a.z) * (c.y - a.y) - (c.z - a.z) * (b.y - a.y)) / whole;
   const double down = ((c.z - a.z) * (b.x - a.x) - (b.z - a.z) * (c.x - a.x)) / whole;
   drawn.push = kPushPixels * std::max(std::abs(across), std::abs(down)) + kPushDepth;
+  drawn.nearest = std::min({a.z, b.z, c.z});
   const auto first = [](double x, double y, double z) {
     return static_cast<int>(std::floor(std::min({x, y, z}) / kBin));
   };
@@ -79,28 +80,35 @@ void PictureDepths::add(const std::array<dvec3, 3>& corners) {
        ++y) {
     for (int x = std::max(0, first(a.x, b.x, c.x));
          x <= std::min(columns_ - 1, last(a.x, b.x, c.x)); ++x) {
-      bins_[static_cast<std::size_t>(y) * columns_ + x].push_back(number);
+      Bin& bin = bins_[static_cast<std::size_t>(y) * columns_ + x];
+      bin.triangles.push_back(number);
+      bin.is_sorted = false;
     }
   }
 }
 
-bool PictureDepths::is_hidden(const dvec3& at) const {
+bool PictureDepths::is_hidden(const dvec3& at) {
   if (!(at.x >= 0 && at.y >= 0 && at.x < size_.x && at.y < size_.y)) return true;  // not in it
-  const auto bin =
-      static_cast<std::size_t>(at.y / kBin) * columns_ + static_cast<std::size_t>(at.x / kBin);
-  return std::ranges::any_of(bins_[bin], [&](std::uint32_t number) {
-    const auto& [corners, push] = triangles_[number];
+  Bin& bin = bins_[static_cast<std::size_t>(at.y / kBin) * columns_ +
+                   static_cast<std::size_t>(at.x / kBin)];
+  const auto nearest = [this](std::uint32_t number) { return triangles_[number].nearest; };
+  if (!bin.is_sorted) std::ranges::sort(bin.triangles, {}, nearest);
+  bin.is_sorted = true;
+  for (const std::uint32_t number : bin.triangles) {
+    const auto& [corners, push, begin] = triangles_[number];
+    if (begin > at.z) return false;
     const auto& [a, b, c] = corners;
     const double whole = area(a, b, c);
     const double at_b = area(a, at, c) / whole;
     const double at_c = area(a, b, at) / whole;
-    if (!(at_b >= 0 && at_c >= 0 && at_b + at_c <= 1)) return false;
-    return a.z + at_b * (b.z - a.z) + at_c * (c.z - a.z) + push < at.z;
-  });
+    const bool covers = at_b >= 0 && at_c >= 0 && at_b + at_c <= 1;
+    if (covers && a.z + at_b * (b.z - a.z) + at_c * (c.z - a.z) + push < at.z) return true;
+  }
+  return false;
 }
 
 std::vector<std::vector<dvec2>> PictureDepths::visible(std::span<const dvec3> chain,
-                                                       double nearer) const {
+                                                       double nearer) {
   std::vector<std::vector<dvec2>> parts;
   bool is_open = false;
   const auto add = [&](const dvec3& at) {

@@ -24,23 +24,30 @@ class PictureDepths {
   /// The parts of a chain of points of the world that no triangle hides, in pixels from the
   /// picture's upper left; their ends are right to a twentieth of a pixel. `nearer`: the chain is
   /// seen as if it were so much closer to the eye, as a share of half the visible height.
-  std::vector<std::vector<dvec2>> visible(std::span<const dvec3> chain, double nearer) const;
+  std::vector<std::vector<dvec2>> visible(std::span<const dvec3> chain, double nearer);
 
  private:
   struct Drawn {
     std::array<dvec3, 3> at;  ///< pixels, and the depth, which is linear on the screen
     double push = 0;          ///< how much farther it is taken to be
+    double nearest = 0;       ///< the least depth of its corners
+  };
+  /// The triangles whose boxes meet a square of pixels. A point is tested against those that begin
+  /// nearer to the eye, the nearest first: one of a few hides most points, however many there are.
+  struct Bin {
+    std::vector<std::uint32_t> triangles;
+    bool is_sorted = false;
   };
 
   std::optional<dvec3> screen(const dvec3& point, double nearer) const;
-  bool is_hidden(const dvec3& at) const;
+  bool is_hidden(const dvec3& at);
   std::size_t bin_of(double x, double y) const;
 
   FittedCamera camera_;
   dvec2 size_;
   int columns_, rows_;
   std::vector<Drawn> triangles_;
-  std::vector<std::vector<std::uint32_t>> bins_;
+  std::vector<Bin> bins_;
 };
 
 }  // namespace saddle

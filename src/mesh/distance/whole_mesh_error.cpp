@@ -251,7 +251,8 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::all_above(std::span<const M
                                                                double least) const {
   const std::vector<Expected> expected = expect(places);
   std::vector<Nearest> result;
-  for (std::size_t next = 0; next < expected.size() && expected[next].distance > least;
+  for (std::size_t next = 0;
+       next < expected.size() && expected[next].distance > least && surface_.may_go_on();
        next += kSearchedTogether) {
     const auto some =
         std::span(expected).subspan(next, std::min(kSearchedTogether, expected.size() - next));
@@ -347,7 +348,8 @@ PlacedError WholeMeshError::from_mesh(std::span<const Triangle* const> triangles
   const std::vector<Expected> expected = expect_farthest(triangles, std::max(known, tolerance));
   std::vector<Nearest> farthest;
   double least = kClimbedShare * std::max(known, tolerance);
-  for (std::size_t next = 0; next < expected.size() && expected[next].distance > least;
+  for (std::size_t next = 0;
+       next < expected.size() && expected[next].distance > least && surface_.may_go_on();
        next += kSearchedTogether) {
     const auto some =
         std::span(expected).subspan(next, std::min(kSearchedTogether, expected.size() - next));

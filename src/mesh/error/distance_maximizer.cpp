@@ -54,7 +54,7 @@ void DistanceMaximizer::climb(ValidatedMesh& mesh) {
   };
   for (int step = 0; step < kMostSteps; ++step) {
     std::erase_if(ascents_, is_done);
-    if (ascents_.empty()) return;
+    if (ascents_.empty() || !surface_.may_go_on()) return;
     evaluate_predicted(mesh);
   }
 }

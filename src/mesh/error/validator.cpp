@@ -120,9 +120,9 @@ std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
                                                    DistanceMaximizer& maxima) {
   std::vector<TwoTriangles> plain;
   std::vector<std::size_t> numbers;  // of those, in `which`
-  std::vector<std::size_t> others;
-  std::vector<std::size_t> failed;
+  std::vector<std::size_t> others, failed;
   const auto validate = [&] {
+    if (!surface_.may_go_on()) plain.clear();  // those that are left have no sampled errors
     const auto sampled_errors = validate_many(surface_, grid_, plain, threads_);
     evaluations_ += kPlacesInLeaf * plain.size();
     for (std::size_t i = 0; i < plain.size(); ++i) {
@@ -361,12 +361,12 @@ void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
   DistanceMaximizer maxima(surface_, grid_, clip_, threads_);
   const std::vector<std::size_t> others = validate_plain(mesh, which, triangles, maxima);
   std::vector<ValidationPoint> rest;
-  for (std::size_t begin = 0; begin < others.size(); begin += kInBatch) {
+  for (std::size_t begin = 0; begin < others.size() && surface_.may_go_on(); begin += kInBatch) {
     const auto some = std::span(others).subspan(begin, std::min(kInBatch, others.size() - begin));
-    const std::vector<ValidationPoint> more =
-        validate_several(mesh, which, some, triangles, maxima);
-    rest.insert(rest.end(), more.begin(), more.end());
+    std::ranges::move(validate_several(mesh, which, some, triangles, maxima),
+                      std::back_inserter(rest));
   }
+  if (!surface_.may_go_on()) return;
   move_onto_creases(surface_, rest, threads_);
   placer_.append_singular_sides(mesh, which, rest);
   validate_one_by_one(mesh, which, triangles, rest);

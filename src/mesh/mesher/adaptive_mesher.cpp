@@ -15,6 +15,7 @@
 #include "mesh/mesher/halve.h"
 #include "mesh/mesher/halving_limits.h"
 #include "mesh/mesher/solve_inner_vertices.h"
+#include "mesh/sizing/effort.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/feature_count.h"
 #include "mesh/tree/flip.h"
@@ -68,7 +69,8 @@ AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& reques
       landmarks_(plan.probe.landmarks().places, request.clip, grid_, tree_),
       validation_(surface, limits_, grid_, tree_, landmarks_, mesh_),
       direction_(limits_, grid_, tree_, mesh_),
-      proof_(surface, grid_, tree_, request_.clip, request.threads),
+      proof_(surface, grid_, tree_, request_.clip, share_of_searches(request.least_effort),
+             request.threads),
       hulls_(surface),
       open_(surface, grid_, tree_, hulls_, request_.clip, request.threads),
       predicted_(predict(plan)) {
@@ -89,6 +91,10 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
   for (int round = 0; !stops_early(); ++round) {
     if (round == kMostRounds) {
       if (certifies()) find_features();  // they count as errors
+      break;
+    }
+    if (!surface_.may_go_on()) {
+      reached_limit_ = true;
       break;
     }
     ActiveLeaves active = next_active();

@@ -73,7 +73,7 @@ MeshResult mesh_uniformly(const Surface& surface, const UniformRequest& request)
   };
   double ratio = error_ratio();
   std::uint8_t stagnation = 0;
-  while (ratio > 1 && stagnation < kMostStagnation &&
+  while (ratio > 1 && stagnation < kMostStagnation && surface.may_go_on() &&
          2 * std::max(grid.cells_u, grid.cells_v) <= kMostGridCells) {
     grid.cells_u *= 2;
     grid.cells_v *= 2;

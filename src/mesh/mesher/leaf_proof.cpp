@@ -26,13 +26,13 @@ constexpr double kVisibleHole = 0.5;
 }  // namespace
 
 LeafProof::LeafProof(const Surface& surface, const Grid& grid, const CellTree& tree,
-                     const std::optional<Bounds>& clip, unsigned threads)
+                     const std::optional<Bounds>& clip, double share, unsigned threads)
     : surface_(surface),
       grid_(grid),
       tree_(tree),
       clip_(clip),
       threads_(threads),
-      budget_(surface.bounds) {}
+      budget_(surface.bounds, share) {}
 
 std::vector<std::size_t> LeafProof::unproved_leaves(const ValidatedMesh& mesh) const {
   std::vector<std::size_t> leaves;

@@ -21,9 +21,9 @@ class CellTree;
 
 class LeafProof {
  public:
-  /// `clip`: the surface outside of it needs no proof.
+  /// `clip`: the surface outside of it needs no proof. `share`: of a ProofBudget.
   LeafProof(const Surface& surface, const Grid& grid, const CellTree& tree,
-            const std::optional<Bounds>& clip, unsigned threads);
+            const std::optional<Bounds>& clip, double share, unsigned threads);
 
   /// The result of a proof that was tried.
   struct Result {

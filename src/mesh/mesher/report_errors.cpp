@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
 
-#include "base/run_limits.h"
 #include "mesh/distance/boundary_distance.h"
 #include "mesh/distance/whole_mesh_error.h"
 #include "mesh/error/open_leaves.h"
@@ -16,6 +16,7 @@
 #include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/proof/feature_search.h"
+#include "mesh/sizing/effort.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/feature_count.h"
 
@@ -31,7 +32,8 @@ constexpr std::size_t kSearchedPart = 16;
 constexpr std::ptrdiff_t kWaves = 16;
 /// The search climbs from the worst 16 leaves, with 160 evaluations each.
 constexpr std::size_t kClimbed = 16;
-/// Bounds are followed in up to 256 leaves of each kind, then over up to 8,192 boxes.
+/// Bounds are followed in up to 256 leaves of each kind, then over up to 8,192 boxes: or over the
+/// share of searches that the surface may have.
 constexpr std::size_t kFollowed = 256;
 constexpr std::size_t kMostBoxes = 8192;
 
@@ -112,11 +114,11 @@ class ErrorSearch {
 /// The largest error by a search against the whole mesh, scaled. `suspects`: leaves that validation
 /// found to be off; each error is replaced only after its places were measured. `others`: leaves
 /// whose samples may miss a feature that sticks out. `tolerance`: of the report. `whole` is called
-/// only if there is anything to measure.
+/// only if there is anything to measure. `share`: of searches, as of one of many surfaces.
 PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspects,
                           std::span<const SearchedPart> others, double tolerance,
-                          const std::optional<Bounds>& clip, unsigned threads, KnownHulls& hulls,
-                          const std::function<const WholeMeshError&()>& whole) {
+                          const std::optional<Bounds>& clip, double share, unsigned threads,
+                          KnownHulls& hulls, const std::function<const WholeMeshError&()>& whole) {
   const auto distance = [&whole](const SearchedPart& part, const dvec2& uv, const dvec3& position,
                                  double known) {
     return whole().distance({uv, part.triangles, known}, position);
@@ -124,15 +126,18 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   FeatureSearch features(surface, hulls, distance, tolerance, clip, threads);
   std::vector<SearchedPart> parts(others.begin(), others.end());
   // Features that do not stick out are looked for in a mesh that is off anyway.
-  features.keep_widest(kFollowed, suspects.empty() ? 0 : kMostFollowed, parts);
+  const auto shared = [share](std::size_t most) {
+    return static_cast<std::size_t>(std::ceil(share * static_cast<double>(most)));
+  };
+  features.keep_widest(shared(kFollowed), suspects.empty() ? 0 : shared(kMostFollowed), parts);
   if (suspects.empty() && parts.empty()) return {};
   std::ranges::stable_sort(suspects, std::ranges::greater(), &SearchedLeaf::error);
-  for (const SearchedLeaf& leaf : suspects.first(std::min(kFollowed, suspects.size())))
+  for (const SearchedLeaf& leaf : suspects.first(std::min(shared(kFollowed), suspects.size())))
     parts.push_back(leaf.part);
   // Without time the worst suspects are measured, and the others left.
-  const auto has_time = [] { return shortage() != Shortage::Time; };
+  const auto has_time = [&surface] { return surface.may_go_on(); };
   if (has_time()) features.dive(parts);
-  const PlacedError followed = features.search(has_time() ? kMostBoxes : 0);
+  const PlacedError followed = features.search(has_time() ? shared(kMostBoxes) : 0);
   ErrorSearch search(box_of(surface.domain), tolerance, whole(), followed);
   const std::size_t at_once = has_time() ? kInBatch : kClimbed;
   for (std::size_t next = 0;
@@ -287,8 +292,9 @@ class ErrorReporter {
                       tree_.edges().has_cliffs());
       return *whole;
     };
-    return largest_error(surface, suspected, others, tolerance_, request.clip, request.threads,
-                         mesher_.hulls(), measured);
+    return largest_error(surface, suspected, others, tolerance_, request.clip,
+                         share_of_searches(request.least_effort), request.threads, mesher_.hulls(),
+                         measured);
   }
 
   SearchedPart searched(std::size_t k, const LeafTriangles& triangles) const {

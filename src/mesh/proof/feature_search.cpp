@@ -107,7 +107,7 @@ std::vector<PlacedError> FeatureSearch::dive(std::span<const SearchedPart> parts
   std::vector<Node> nodes;
   for (const SearchedPart& part : parts)
     nodes.push_back({&part, part.box, 0, bound_over(part, part.box)});
-  for (int depth = 0; depth < kDeepest && shortage() != Shortage::Time; ++depth) {
+  for (int depth = 0; depth < kDeepest && surface_.may_go_on(); ++depth) {
     std::vector<std::size_t> active;
     std::vector<Sample> samples;
     for (std::size_t k = 0; k < parts.size(); ++k) {

@@ -17,16 +17,16 @@ constexpr std::size_t kPlacesPerPoint = 2;
 /// Proofs may take 0.25 times the places that their mesh took, and 16,000, about half the time that
 /// the program takes to start.
 constexpr double kShareOfMesh = 0.25;
-constexpr std::size_t kLeastPlaces = 16'000;
+constexpr double kLeastPlaces = 16'000;
 /// Short levels of boxes may take 170,000 in place of 16,000: the proof of a tube around a knot
 /// takes 150,000.
-constexpr std::size_t kLeastPlacesOfShort = 170'000;
+constexpr double kLeastPlacesOfShort = 170'000;
 /// Cost of a special function, in steps.
 constexpr std::size_t kSpecialSteps = 600;
 
 }  // namespace
 
-ProofBudget::ProofBudget(const Tape& tape) {
+ProofBudget::ProofBudget(const Tape& tape, double share) : count_(tape.count), share_(share) {
   std::size_t steps = 1;
   for (const auto& part : {tape.of_u, tape.of_v, tape.of_both}) {
     for (const Instruction& instruction : part) {
@@ -39,9 +39,9 @@ ProofBudget::ProofBudget(const Tape& tape) {
 }
 
 void ProofBudget::allow_for(std::size_t effort) {
-  const auto share = static_cast<std::size_t>(kShareOfMesh * static_cast<double>(effort));
-  most_ = kLeastPlaces + share;
-  most_of_short_ = kLeastPlacesOfShort + share;
+  const double of_mesh = kShareOfMesh * static_cast<double>(effort);
+  most_ = static_cast<std::size_t>(share_ * kLeastPlaces + of_mesh);
+  most_of_short_ = static_cast<std::size_t>(share_ * kLeastPlacesOfShort + of_mesh);
 }
 
 void ProofBudget::take_box() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 
 #include "base/run_limits.h"
 #include "surface/surface.h"
@@ -11,13 +12,16 @@ namespace saddle {
 /// The work that proofs may still take, in places (mesh/sizing/effort.h).
 class ProofBudget {
  public:
-  explicit ProofBudget(const Tape& bounds);
+  /// `share`: of the work that does not grow with the mesh.
+  explicit ProofBudget(const Tape& bounds, double share = 1);
 
   /// Allows the work that a mesh of this effort is worth, for all proofs together.
   void allow_for(std::size_t effort);
-  /// Whether no box is left for a level of boxes, or no time; a short one may take more.
+  /// Whether no box is left for a level of boxes, no point of the surface, or no time; a short one
+  /// may take more.
   bool is_spent(bool is_short) const {
-    return spent_ >= (is_short ? most_of_short_ : most_) || shortage() == Shortage::Time;
+    return spent_ >= (is_short ? most_of_short_ : most_) || (count_ && count_->is_used_up()) ||
+           shortage() == Shortage::Time;
   }
   void take_box();
   void take_points(std::size_t count);
@@ -30,6 +34,8 @@ class ProofBudget {
   std::size_t boxes_of_search() const { return boxes_of_search_; }
 
  private:
+  std::shared_ptr<const PointCount> count_;  ///< the tape's
+  double share_;
   std::size_t of_box_, boxes_of_search_;
   std::size_t most_ = 0, most_of_short_ = 0;
   std::size_t spent_ = 0;

@@ -29,6 +29,7 @@ double count_operations(const Tape& tape) {
 
 Effort::Effort(const Surface& surface)
     : place_(1 + kOperation * count_operations(surface.tangents) / kPlace),
-      look_((kLook + kStep * static_cast<double>(Enclosure(surface.bounds, 3).steps())) / kPlace) {}
+      look_((kLook + kStep * static_cast<double>(Enclosure(surface.bounds, 3).steps())) / kPlace),
+      count_(surface.tangents.count) {}
 
 }  // namespace saddle

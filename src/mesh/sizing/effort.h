@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include "surface/surface.h"
 
@@ -24,12 +25,25 @@ inline constexpr std::size_t most_effort(std::size_t max_triangles,
                                          std::size_t least = kLeastEffort) {
   return std::max(least, kPlacesPerTriangle * max_triangles);
 }
+/// The share of searches and proofs that a surface may have whatever its mesh takes: all of them,
+/// unless it is one of so many surfaces that they share the least budget.
+inline constexpr double share_of_searches(std::size_t least_effort) {
+  return std::min(1.0, static_cast<double>(least_effort) / static_cast<double>(kLeastEffort));
+}
+/// A surface may be computed at so many times its mesh's budget of places: with all checks,
+/// searches and meshes that are made anew.
+inline constexpr std::size_t kPlacesWithChecks = 5;
 
 /// The unit is a place: an evaluation of the surface, with its share of error estimation,
 /// validation and triangulation. For a short formula it takes a quarter of a microsecond.
 class Effort {
  public:
   explicit Effort(const Surface& surface);
+
+  /// The cost of a place of this surface, in places of a short formula.
+  double place() const { return place_; }
+  /// Whether all points are used up that the surface may be computed at.
+  bool is_used_up() const { return count_ && count_->is_used_up(); }
 
   void add_places(std::size_t count) { places_ += count; }
   void add_samples(std::size_t count) { places_ += kPlacesPerSample * count; }
@@ -48,6 +62,7 @@ class Effort {
 
  private:
   double place_, look_;  ///< cost of one, in places
+  std::shared_ptr<const PointCount> count_;
   std::size_t places_ = 0;
   std::size_t looks_ = 0;
 };

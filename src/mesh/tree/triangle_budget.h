@@ -19,12 +19,12 @@ class TriangleBudget {
   /// vertices into use. A mesh has fewer than two triangles per vertex (Euler), and one more per
   /// vertex along which it is cut.
   bool has_many(const TriangleLimit& limit) const;
-  /// Whether the effort is spent that the limit of triangles is worth, or the run is short of time
-  /// or memory.
+  /// Whether the effort is spent that the limit of triangles is worth, or all points are used up
+  /// that the surface may be computed at, or the run is short of time or memory.
   bool is_spent(const TriangleLimit& limit) const {
     return limit.is_refined &&
            (effort_.total() > most_effort(limit.triangles, limit.least_effort) ||
-            shortage() != Shortage::None);
+            effort_.is_used_up() || shortage() != Shortage::None);
   }
   /// Whether either limit is reached.
   bool is_full(const TriangleLimit& limit) const { return has_many(limit) || is_spent(limit); }

@@ -218,6 +218,40 @@ TEST(BoundedWork, CountsLooksByWhatTheyTake) {
   EXPECT_GT(leaves.total(), plain.total());
 }
 
+TEST(BoundedWork, CountsPlacesByWhatTheirFormulaTakes) {
+  EXPECT_LT(Effort(height_field("u*v")).place(), 1.1);
+  EXPECT_GT(Effort(height_field("sum(sin(n*u*v), n=1:100)")).place(), 3);
+}
+
+TEST(BoundedWork, SearchesOneOfManySurfacesLess) {
+  const auto mesh_with = [](std::size_t least_effort) {
+    MeshRequest request = thousandth();
+    request.max_triangles = 1'250;
+    request.least_effort = least_effort;
+    return try_mesh(height_field("sin(9*u*v)"), request).value().report;
+  };
+  const MeshReport alone = mesh_with(kLeastEffort);
+  const MeshReport one_of_many = mesh_with(kLeastEffort / 100);
+  EXPECT_LT(5 * one_of_many.evaluations, 4 * alone.evaluations);
+  EXPECT_GT(one_of_many.max_error, 0.5 * alone.max_error) << "the error is still told";
+}
+
+TEST(BoundedWork, EndsWhereThePointsOfASurfaceAreUsedUp) {
+  const Surface surface = height_field("sin(1/(u*v))");
+  const auto evaluations = [&surface](std::size_t points) {
+    surface.tangents.count->allow(points);
+    const MeshResult result = try_mesh(surface, thousandth()).value();
+    EXPECT_TRUE(result.report.reached_limit);
+    EXPECT_TRUE(result.report.budget_spent);
+    EXPECT_GT(result.mesh.triangles.size(), 500U);
+    EXPECT_GT(result.report.max_error, *result.report.tolerance);
+    return result.report.evaluations;
+  };
+  // What has begun ends: samples before there is a mesh, and a generation of leaves.
+  EXPECT_LT(evaluations(60'000), 500'000U);
+  EXPECT_GT(evaluations(1'200'000), 1'200'000U);
+}
+
 TEST(BoundedWork, EndsWhateverLeavesTake) {
   constexpr std::size_t kTriangles = 150'000;
   for (const char* z : {"sin(200*u*v)", "lgamma(9*u*v)", "sqrt(sin(60*u)*sin(60*v))",

@@ -62,7 +62,7 @@ TEST(VisibleLines, AreWholeInFrontOfASurfaceAndOnIt) {
 }
 
 TEST(VisibleLines, OutsideOfThePictureAreLeftOut) {
-  const PictureDepths depths(from_above(true), {kSide, kSide});
+  PictureDepths depths(from_above(true), {kSide, kSide});
   const auto parts = depths.visible(std::array{dvec3(-3, 0, 0), dvec3(3, 0, 0)}, 0);
   ASSERT_EQ(parts.size(), 1U);
   EXPECT_NEAR(parts[0].front().x, 0, kPromised);

@@ -79,6 +79,17 @@ TEST(Model, MovesTheCameraWithTheHand) {
   EXPECT_GT(glm::distance(model->grip().fitted.target, before), 0.1);
 }
 
+TEST(Hand, LetsGoWhereTheWheelTurns) {
+  PlaneModel model("1");
+  Hand hand;
+  hand.press(*model, {200, 150}, 0, false);
+  EXPECT_TRUE(hand.move(*model, {220, 150}));
+  hand.scroll(*model, {200, 150}, 1);
+  const double near = model->grip().fitted.distance;
+  EXPECT_FALSE(hand.move(*model, {240, 150}));  // the camera would go back to where it was pressed
+  EXPECT_EQ(model->grip().fitted.distance, near);
+}
+
 /// Does what edits do, until it is meshed.
 void edit(PlaneModel& model, const std::function<void(Scene&)>& change) {
   Scene scene = model->scene();
