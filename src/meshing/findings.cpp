@@ -27,11 +27,8 @@ constexpr double kLeastPercent = 1e-3;
 constexpr double kSmallShare = 0.01;
 constexpr double kLargeRoom = 30;
 
-/// Enough to find a place, short enough to read.
-constexpr int kDigits = 4;
-
 std::string number(double value) {
-  return rounded(value, kDigits);
+  return rounded(value, kToldDigits);
 }
 
 std::string place(const dvec2& uv, const Domain& domain) {
@@ -41,7 +38,7 @@ std::string place(const dvec2& uv, const Domain& domain) {
 }
 
 std::string range(const std::string& name, double low, double high) {
-  return range_text(name, low, high, kDigits);
+  return range_text(name, low, high, kToldDigits);
 }
 
 /// The range between two faces of a box, either of which may be infinitely far.
@@ -231,7 +228,7 @@ class MeshFindings {
     if (places.empty()) return;
     const std::vector<PlaceGroup> groups = grouped_places(places, domain_);
     Finding& cut = warn(kind, std::string(what) + " and is cut there: " +
-                                  text_of(groups, number > places.size(), domain_, kDigits));
+                                  text_of(groups, number > places.size(), domain_, kToldDigits));
     dvec2 low = groups.front().low;
     dvec2 high = groups.front().high;
     for (const PlaceGroup& group : groups) {

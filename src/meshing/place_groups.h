@@ -45,7 +45,10 @@ std::vector<PlaceGroup> take_lines(std::span<const dvec2> places, const Domain& 
 std::vector<PlaceGroup> one_by_one(std::span<const dvec2> places,
                                    const std::vector<std::size_t>& which);
 
-/// Groups that are told one by one; more are "others".
+/// Digits of numbers in sentences: enough to find a place, short enough to read.
+inline constexpr int kToldDigits = 4;
+
+/// Places or groups of places that are told one by one; more are "others".
 inline constexpr std::size_t kToldGroups = 6;
 
 /// Groups of the distinct places: lines first.

@@ -14,6 +14,7 @@
 #include "mesh/solid/solid_facts.h"
 #include "mesh/solid/thicken.h"
 #include "meshing/findings.h"
+#include "meshing/place_groups.h"
 #include "meshing/thickness.h"
 #include "scene/model/instances.h"
 #include "scene/model/values.h"
@@ -21,11 +22,8 @@
 namespace saddle {
 namespace {
 
-/// Digits in sentences.
-constexpr int kSolidDigits = 4;
-
 std::string told(double value) {
-  return rounded(value, kSolidDigits);
+  return rounded(value, kToldDigits);
 }
 
 bool is_printed_in_millimetres(const Scene& scene) {

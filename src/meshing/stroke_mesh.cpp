@@ -14,6 +14,7 @@
 #include "eval/tape.h"
 #include "mesh/curve/tube.h"
 #include "meshing/clip_box.h"
+#include "meshing/place_groups.h"
 #include "scene/model/bind_stroke.h"
 #include "scene/model/prepare.h"
 #include "scene/model/strokes.h"
@@ -25,8 +26,6 @@ namespace {
 
 /// Samples that tell how large a curve is, and where most of it is.
 constexpr std::size_t kSizeSamples = 1024;
-/// Significant digits of numbers in findings.
-constexpr std::size_t kToldPlaces = 6;
 
 using Clock = std::chrono::steady_clock;
 
@@ -52,10 +51,10 @@ Extent extent_of(const ParametricCurve& curve, const std::optional<Bounds>& clip
 
 std::string places_of(const std::vector<double>& places) {
   std::string text = "s = ";
-  for (std::size_t i = 0; i < std::min(places.size(), kToldPlaces); ++i) {
+  for (std::size_t i = 0; i < std::min(places.size(), kToldGroups); ++i) {
     text += (i > 0 ? ", " : "") + format_number(places[i]);
   }
-  return text + (places.size() > kToldPlaces ? " and others" : "");
+  return text + (places.size() > kToldGroups ? " and others" : "");
 }
 
 Finding finding(Finding::Kind kind, std::string text) {

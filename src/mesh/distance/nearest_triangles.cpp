@@ -6,11 +6,10 @@
 #include <glm/common.hpp>
 
 #include "mesh/distance/sampled_error.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 namespace {
-
-constexpr std::size_t kTrianglesOfNode = 4;
 
 double square_of_distance(const Bounds& box, const dvec3& p) {
   if (box.empty()) return std::numeric_limits<double>::infinity();

@@ -12,6 +12,7 @@
 #include "mesh/model/clip.h"
 #include "mesh/model/sample_places.h"
 #include "mesh/model/sides.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 
 namespace saddle {
@@ -19,11 +20,9 @@ namespace saddle {
 namespace {
 
 /// Lines across a strip between two ends, in parts of its length, and across one that ends in the
-/// leaf, in sides of the leaf. A strip between ends that is not crossed counts as off by 4
-/// tolerances, the most that the safety of a leaf can grow by.
+/// leaf, in sides of the leaf.
 constexpr std::array kAcrossStrip = {0.05, 0.25, 0.5, 0.75, 0.95};
 constexpr std::array kBesideEnd = {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 3.0 / 4};
-constexpr double kNotCrossed = 4;
 
 }  // namespace
 
@@ -59,7 +58,7 @@ bool StripDistance::add(const Leaf& leaf, std::size_t number, std::span<const Tr
   if (ends.size() > 2 && !is_gap && !tree_.geometry().is_defined(leaf.samples.centre)) {
     Bounds around;
     for (const std::uint32_t end : ends) around.add(grid_.mesh.position[end]);
-    if (around.diagonal() > allowed) found_.push_back({number, kNotCrossed * allowed});
+    if (around.diagonal() > allowed) found_.push_back({number, kMostSafety * allowed});
   }
   if (ends.empty() || ends.size() > 2) return false;
   const dvec2 low = tree_.vertices().parameters(leaf.low);
@@ -91,7 +90,7 @@ bool StripDistance::add(const Leaf& leaf, std::size_t number, std::span<const Tr
   }
   const dvec2 to = place(ends[1]);
   if (from == to) return false;
-  if (!is_gap) across.at_least = kNotCrossed * allowed;
+  if (!is_gap) across.at_least = kMostSafety * allowed;
   for (const double share : kAcrossStrip)
     add(glm::mix(from, to, share), dvec2(from.y - to.y, to.x - from.x));
   return true;

@@ -14,7 +14,6 @@ namespace saddle {
 namespace {
 
 /// Squares of lengths from whose products no digit is lost to the ends of the range of doubles.
-constexpr double kSmallest = 1e-100;
 constexpr double kLargest = 1e+100;
 
 static inline LoopVector vector_at(const LeafPlaces& places, size_t column, size_t i) {
@@ -94,9 +93,9 @@ void SADDLE_LEVEL(const LeafPoints& leaves, const LeafPlaces& places, size_t cou
     errors.predicted[i] = larger_of(errors.predicted[i], step.height);
     errors.chord[i] = larger_of(errors.chord[i], chord);
 
-    const double regular =
-        smaller_of(smaller_of(square_area - kDegenerateCrossSquare * squares, squares - kSmallest),
-                   kLargest - squares);
+    const double regular = smaller_of(
+        smaller_of(square_area - kDegenerateCrossSquare * squares, squares - 1 / kLargest),
+        kLargest - squares);
     const double inside = larger_of(on_own.inside, on_other.inside);
     const double is_known = inside >= 0 ? errors.is_known[i] : 0.0;
     const double is_regular = regular > 0 ? is_known : 0.0;

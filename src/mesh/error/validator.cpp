@@ -23,10 +23,6 @@ namespace saddle {
 
 namespace {
 
-/// Plain leaves that are validated at a time: 3 MB for them and their errors, and work for all
-/// threads.
-constexpr std::size_t kPlainAtATime = 1 << 14;
-
 bool share_corner(const Triangle& a, const Triangle& b) {
   return std::ranges::any_of(
       a, [&](std::uint32_t corner) { return std::ranges::find(b, corner) != b.end(); });
@@ -154,7 +150,7 @@ std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
                      tree_.vertices().parameters(leaf.high),
                      {two[0], two[1]},
                      validation_places(leaf)});
-    if (plain.size() == kPlainAtATime) validate();
+    if (plain.size() == kKeptAtATime) validate();
   }
   validate();
   others.insert(others.end(), failed.begin(), failed.end());

@@ -18,23 +18,17 @@ namespace {
 
 /// The longest part of a line that is a cliff: halvings of the leaf show a longer one as well.
 constexpr double kLongestCliff = 0.75;
-/// The shortest one. A narrower cliff takes in a little of the sheets beside it, so that its ends
-/// are two places on the side of a leaf.
-constexpr double kShortestCliff = 1e-6;
 /// A half without the cliff is explained by its slopes to this part of delta; with the cliff's foot
-/// or head it is not.
+/// or head it is not. A cliff is as near to the segment between its ends.
 constexpr double kExplained = 0.25;
 /// A sheet ends where it leaves its tangent by this part of delta.
 constexpr double kOnTangent = 1.0 / 16;
-/// A cliff is within this part of delta of the segment between its ends.
-constexpr double kStraight = 0.25;
-/// Places on a cliff at which that is measured: fewer miss the rounded ends of tanh.
-constexpr int kPlacesOnCliff = 12;
+/// Places on a cliff, its ends included, at which that is measured: fewer miss the rounded ends of
+/// tanh.
+constexpr std::size_t kPlacesOnCliff = 13;
 /// How many times as steep as on the average a cliff may be at an end: a vertex may lie in the
 /// middle of tanh's cliff, but toward a pole the surface is ever steeper.
 constexpr double kSteepestEnd = 3;
-/// While a cliff rises, the sheets beside it go on by delta at most: leaves show wider ones.
-constexpr double kWidest = 1;
 /// The part of the way from an end of a cliff to the place on it to which the end is found.
 constexpr double kNearEnd = 1.0 / 32;
 
@@ -159,9 +153,10 @@ void find_ends(const Surface& surface, double delta, unsigned threads,
     searches[numbers[i / 2]].ends[i % 2].share = sheets[i].last;
 }
 
-/// Makes a cliff long enough to have two ends on its line.
+/// Makes a cliff long enough to have two ends on its line: a narrower one takes in a little of the
+/// sheets beside it.
 void widen(CliffSearch& search) {
-  const double least = 0.5 * kShortestCliff;
+  const double least = 0.5 * kNearly;
   const double middle = search.middle();
   search.ends[0].share = std::max(0.0, std::min(search.ends[0].share, middle - least));
   search.ends[1].share = std::min(1.0, std::max(search.ends[1].share, middle + least));
@@ -185,7 +180,7 @@ bool is_straight(std::span<const dvec3> positions, double delta) {
   const dvec3& b = positions.back();
   if (!(glm::distance(a, b) > delta)) return false;
   return std::ranges::all_of(positions, [&](const dvec3& p) {
-    return distance_from_segment(a, b, p) <= kStraight * delta;
+    return distance_from_segment(a, b, p) <= kExplained * delta;
   });
 }
 
@@ -212,21 +207,23 @@ std::vector<std::optional<Line>> find_cliffs(const Surface& surface, std::span<c
   find_ends(surface, delta, threads, searches, open, work);
   uv.clear();
   for (const std::size_t k : open) widen(searches[k]);
+  // While a cliff rises, the sheets beside it go on by delta at most: leaves show wider ones.
   std::erase_if(open, [&](std::size_t k) {
     const double width = searches[k].ends[1].share - searches[k].ends[0].share;
-    return width > kLongestCliff || !(speed_beside(searches[k]) * width <= kWidest * delta);
+    return width > kLongestCliff || !(speed_beside(searches[k]) * width <= delta);
   });
   for (const std::size_t k : open) {
     const auto [first, last] = std::array{searches[k].ends[0].share, searches[k].ends[1].share};
-    for (int i = 0; i <= kPlacesOnCliff; ++i)
-      uv.push_back(searches[k].at(glm::mix(first, last, static_cast<double>(i) / kPlacesOnCliff)));
+    for (std::size_t i = 0; i < kPlacesOnCliff; ++i) {
+      const double share = static_cast<double>(i) / (kPlacesOnCliff - 1);
+      uv.push_back(searches[k].at(glm::mix(first, last, share)));
+    }
   }
   const std::vector<dvec3> positions = evaluate_positions(surface, uv, threads);
   work += uv.size();
-  constexpr std::size_t kPlaces = kPlacesOnCliff + 1;
   for (std::size_t i = 0; i < open.size(); ++i) {
     const CliffSearch& search = searches[open[i]];
-    const auto on_cliff = std::span(positions).subspan(i * kPlaces, kPlaces);
+    const auto on_cliff = std::span(positions).subspan(i * kPlacesOnCliff, kPlacesOnCliff);
     if (!has_sheets(search, on_cliff.back() - on_cliff.front()) || !is_straight(on_cliff, delta))
       continue;
     cliffs[open[i]] = {search.at(search.ends[0].share), search.at(search.ends[1].share)};

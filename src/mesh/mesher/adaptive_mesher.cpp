@@ -36,9 +36,6 @@ constexpr int kFeaturePeriod = 4;
 constexpr double kFirst = 0.875;
 /// Leaves whose inner vertices are solved for together, between looks at the budget.
 constexpr std::size_t kSolvedAtATime = 256;
-/// A sampled error raises the safety of a leaf's halves by up to 4: at a kink it says nothing about
-/// the size of leaves.
-constexpr double kMostSafety = 4;
 
 /// Which of the grid's lines are drawn, so that their chords are visible.
 std::vector<std::uint8_t> seen_lines(std::span<const double> lines, std::span<const double> drawn) {

@@ -6,15 +6,12 @@
 #include <glm/geometric.hpp>
 
 #include "mesh/distance/sampled_error.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_tree.h"
 
 namespace saddle {
 
 namespace {
-
-/// The sampled error of a leaf near whose landmark there are no triangles, in tolerances. Their
-/// distance is not known; this is what the safety of a leaf can grow by.
-constexpr double kAbsent = 4;
 
 /// Whether leaves have a point in common.
 bool touch(const Leaf& a, const Leaf& b) {
@@ -111,7 +108,7 @@ void LeafLandmarks::measure(std::span<const std::size_t> which, ValidatedMesh& m
       double error = distance(landmark, mesh.triangles.of(k));
       if (error > allowed && !landmark.is_hole()) error = distance_near(landmark, leaf, mesh);
       is_missed_[number] = error > allowed ? 1 : 0;
-      mesh.add(k, std::isfinite(error) ? error : kAbsent * allowed, landmark.uv);
+      mesh.add(k, std::isfinite(error) ? error : kMostSafety * allowed, landmark.uv);
     }
   }
 }

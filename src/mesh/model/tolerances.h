@@ -74,6 +74,12 @@ inline constexpr double kSampleJitter = 0.1;
 /// surface that oscillates in step with an even grid is not in step with this one.
 inline constexpr double kLineJitter = 0.4;
 
+// Errors.
+
+/// In tolerances: a sampled error raises the safety of a leaf's halves by no more. At a kink it
+/// says nothing about the size of leaves. A part of the surface without triangles is this far off.
+inline constexpr double kMostSafety = 4;
+
 // Counts.
 
 /// Parts of the domain each way in which features are told apart: the columns and rows of a probe's
@@ -82,6 +88,11 @@ inline constexpr std::size_t kDomainParts = 64;
 /// Sides, leaves or vertices that are worked on together, between two checks of a budget: some
 /// milliseconds if each takes hundreds of evaluations.
 inline constexpr std::size_t kInBatch = 512;
+/// Triangles of a leaf of a tree that finds the nearest ones.
+inline constexpr std::size_t kTrianglesOfNode = 4;
+/// Vertices or leaves whose columns of results are kept at a time: 1.4 to 3 MB, and work for all
+/// threads.
+inline constexpr std::size_t kKeptAtATime = 1 << 14;
 /// Boxes, leaves or places of a search that are worked on together. In between, what it has found
 /// decides what is left to search.
 inline constexpr std::size_t kSearchedTogether = 64;

@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 namespace {
 
-constexpr std::uint32_t kLeafSize = 4;
 /// Pairs of nodes that are looked at by one thread each, about.
 constexpr std::size_t kTasks = 1024;
 
@@ -66,7 +66,7 @@ TriangleTree::TriangleTree(std::span<const dvec3> position, std::span<const Tria
 void TriangleTree::build(std::span<Item> items) {
   const std::size_t self = nodes_.size();
   nodes_.emplace_back();
-  if (items.size() <= kLeafSize) {
+  if (items.size() <= kTrianglesOfNode) {
     nodes_[self].first = static_cast<std::uint32_t>(order_.size());
     nodes_[self].count = static_cast<std::uint32_t>(items.size());
     for (const Item& item : items) {

@@ -13,8 +13,6 @@ namespace saddle {
 
 namespace {
 
-/// Halvings of a part, in turn along u and v.
-constexpr int kDeepest = 2 * kHalvingsToNearly;
 /// A box whose bound is less than 1.03 times the largest known distance is not searched.
 constexpr double kMatters = 1.03;
 /// The sample of a box, in shares of its sides: at dyadic places formulas have values of their own.
@@ -82,7 +80,7 @@ std::array<FeatureSearch::Node, 2> FeatureSearch::halves(const Node& node) {
 }
 
 void FeatureSearch::keep(const Node& node) {
-  if (!(node.bound > limit()) || node.depth >= kDeepest) return;
+  if (!(node.bound > limit()) || node.depth >= 2 * kHalvingsToNearly) return;
   open_.push_back(node);
   std::ranges::push_heap(open_, std::ranges::less(), &Node::bound);
 }
@@ -107,7 +105,7 @@ std::vector<PlacedError> FeatureSearch::dive(std::span<const SearchedPart> parts
   std::vector<Node> nodes;
   for (const SearchedPart& part : parts)
     nodes.push_back({&part, part.box, 0, bound_over(part, part.box)});
-  for (int depth = 0; depth < kDeepest && surface_.may_go_on(); ++depth) {
+  for (int depth = 0; depth < 2 * kHalvingsToNearly && surface_.may_go_on(); ++depth) {
     std::vector<std::size_t> active;
     std::vector<Sample> samples;
     for (std::size_t k = 0; k < parts.size(); ++k) {

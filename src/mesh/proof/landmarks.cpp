@@ -44,7 +44,6 @@ constexpr double kComponentMargin = 0.5;
 /// dyadic places, at which formulas have values of their own, as sign(u) at 0.
 constexpr std::array<std::array<double, 2>, 5> kSamplesOfBox = {
     {{0.0417, 0.0731}, {0.9371, 0.0589}, {0.9523, 0.9277}, {0.0653, 0.9461}, {0.5129, 0.4871}}};
-constexpr std::size_t kMiddle = 4;
 
 /// An open part of the domain.
 struct OpenBox {
@@ -198,13 +197,13 @@ class LandmarkSearch {
     std::pair<std::size_t, std::size_t> farthest = {0, 1};
     dvec3 mean(0);
     for (std::size_t a = 0; a < points.size(); ++a) {
-      if (a != kMiddle) mean += points[a].position / 4.0;
+      if (a + 1 < points.size()) mean += points[a].position / 4.0;
       for (std::size_t b = 0; b < a; ++b) {
         if (distance(a, b) > distance(farthest.first, farthest.second)) farthest = {b, a};
       }
     }
     const double width = distance(farthest.first, farthest.second);
-    if (glm::distance(points[kMiddle].position, mean) > kStep * width) {
+    if (glm::distance(points.back().position, mean) > kStep * width) {
       sides.defined = first + farthest.first;
       sides.other = first + farthest.second;
     }

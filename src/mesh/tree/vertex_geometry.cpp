@@ -16,8 +16,6 @@ namespace saddle {
 
 namespace {
 
-/// Vertices whose columns of results are kept at a time: 1.4 MB.
-constexpr std::size_t kEvaluatedAtATime = 1 << 14;
 /// An eighth of all vertices or fewer are few: for these, arrays grow by doubling.
 constexpr std::size_t kFewNew = 8;
 
@@ -130,7 +128,7 @@ void VertexGeometry::evaluate(unsigned threads) {
   for (std::size_t vertex = evaluated_; vertex < vertices_.size();) {
     u.clear();
     v.clear();
-    for (; vertex < vertices_.size() && u.size() < kEvaluatedAtATime; ++vertex) {
+    for (; vertex < vertices_.size() && u.size() < kKeptAtATime; ++vertex) {
       const dvec2 uv = vertices_.parameters(vertices_.place(static_cast<std::uint32_t>(vertex)));
       u.push_back(uv.x);
       v.push_back(uv.y);
