@@ -6,6 +6,7 @@
 #include "app/command_line/help.h"
 #include "app/commands/commands.h"
 #include "app/report/reference.h"
+#include "app/run/as_typed.h"
 #include "app/run/outputs.h"
 #include "base/error.h"
 #include "base/heap.h"
@@ -60,7 +61,7 @@ int run_program(int argc, char** argv) {
     run(line, start);
     return 0;
   } catch (...) {
-    return fail(saddle::caught_error());
+    return fail(saddle::as_typed(saddle::caught_error(), line));
   }
 }
 

@@ -130,18 +130,18 @@ class Lifter {
 
   Error unknown_name(std::size_t index) const {
     const Token& token = tokens_[index];
+    if (auto unit = unit_behind_number(formula_, tokens_, token)) return *std::move(unit);
     const bool call = brackets_.is_call[index];
     std::vector<std::string> known = call ? names_.known_functions() : names_.known_variables();
     std::string hint = call ? "known functions:" : "known names:";
     for (const std::string& name : known) hint += " " + name;
     // A suggestion may also be of the other kind: tua for tau, Cos without brackets.
-    const std::vector<std::string> others =
-        call ? names_.known_variables() : names_.known_functions();
+    const auto others = call ? names_.known_variables() : names_.known_functions();
     known.insert(known.end(), others.begin(), others.end());
     std::optional<std::string> meant = known_elsewhere_as(token.text);
     if (!meant) meant = nearest_name(token.text, known);
     if (meant) hint += "; did you mean '" + *meant + "'?";
-    return formula_.error("unknown name '" + token.text + "'", token.span, hint);
+    return formula_.error(std::string(kUnknownName) + token.text + "'", token.span, hint);
   }
 
   Operand run(const std::vector<Step>& steps) {

@@ -138,6 +138,33 @@ void refuse_operator(const FormulaText& formula, const std::vector<Token>& token
   }
 }
 
+/// A unit that people write behind numbers, and the factor that makes a formula's number of one.
+struct Unit {
+  std::string_view name;
+  std::string_view factor = {};  ///< empty: there is none
+};
+
+constexpr std::string_view kDegree = "*pi/180";
+constexpr std::array kUnits = {Unit{"deg", kDegree},
+                               Unit{"degree", kDegree},
+                               Unit{"degrees", kDegree},
+                               Unit{"rad"},
+                               Unit{"mm"},
+                               Unit{"cm"},
+                               Unit{"km"},
+                               Unit{"um"},
+                               Unit{"in"},
+                               Unit{"inch"},
+                               Unit{"px"},
+                               Unit{"ms"},
+                               Unit{"sec"},
+                               Unit{"fps"},
+                               Unit{"m"},
+                               Unit{"s"}};
+
+/// Names that formulas have without a definition.
+constexpr std::array<std::string_view, 7> kOwnNames = {"u", "v", "t", "x", "y", "z", "xyz"};
+
 }  // namespace
 
 const Series* Brackets::series_of(std::size_t token) const {
@@ -233,6 +260,38 @@ std::string hint_beside_comma(const std::vector<Token>& tokens, std::size_t firs
     return "a decimal comma? write " + point + (hint.empty() ? "" : "; or " + hint);
   }
   return hint;
+}
+
+std::optional<Error> unit_behind_number(const FormulaText& formula,
+                                        const std::vector<Token>& tokens, const Token& name) {
+  const auto is_before = [&](const Token& token) {
+    return token.kind == TokenKind::Number && token.span.end == name.span.begin;
+  };
+  const auto number = std::ranges::find_if(tokens, is_before);
+  const auto unit = std::ranges::find(kUnits, name.text, &Unit::name);
+  if (number == tokens.end() || unit == kUnits.end()) return std::nullopt;
+  const bool is_option = formula.name.starts_with("--");
+  const bool is_value = is_option || formula.name.find(": ") != std::string::npos;
+  // A letter behind a number of a formula is rather a parameter: 3m*u.
+  if (name.text.size() == 1 && !is_value) return std::nullopt;
+  std::string hint = "write " + number->text;
+  if (is_option) {
+    hint = "saddle --help " + formula.name.substr(2) + " says in which unit the number is";
+  } else if (!is_value && !unit->factor.empty()) {
+    hint = "angles are in radians: write " + number->text + std::string(unit->factor);
+  }
+  return formula.error("'" + name.text + "' is a unit, and numbers have none here", name.span,
+                       hint);
+}
+
+std::optional<std::string> undefined_name(const Error& error) {
+  const Place& place = error.place();
+  if (!std::string_view(error.what()).starts_with(kUnknownName)) return std::nullopt;
+  if (place.span.end > place.text.size() || place.span.begin >= place.span.end) return std::nullopt;
+  if (place.text.substr(place.span.end).starts_with('(')) return std::nullopt;  // a function
+  const std::string name = place.text.substr(place.span.begin, place.span.end - place.span.begin);
+  if (std::ranges::find(kOwnNames, name) != kOwnNames.end()) return std::nullopt;
+  return name;
 }
 
 }  // namespace saddle

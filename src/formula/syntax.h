@@ -3,9 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/error.h"
 #include "formula/lexer.h"
 
 namespace saddle {
@@ -58,5 +61,15 @@ void explain_slips(const FormulaText& formula, const std::vector<Token>& tokens,
 /// space among the tokens from `first` to `last`.
 std::string hint_beside_comma(const std::vector<Token>& tokens, std::size_t first, std::size_t last,
                               const std::string& hint);
+
+/// The message of an unknown name begins so; the name and a `'` follow.
+inline constexpr std::string_view kUnknownName = "unknown name '";
+
+/// The error for a name right behind a number that is a unit; nothing for another name.
+std::optional<Error> unit_behind_number(const FormulaText& formula,
+                                        const std::vector<Token>& tokens, const Token& name);
+
+/// The name that an error says is unknown, if a parameter of that name would mend it.
+std::optional<std::string> undefined_name(const Error& error);
 
 }  // namespace saddle

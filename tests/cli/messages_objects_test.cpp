@@ -5,6 +5,11 @@ namespace saddle {
 namespace {
 
 constexpr MessageRow kRows[] = {
+    {"z=p*q p=0:1 q=0:1 + curve p=s -o a.obj", "p: v is missing",
+     "a place on a surface has u and v, here p and q",
+     "z=p*q p=0:1 q=0:1 + curve p=s q=s -o a.obj"},
+    {"z=p*q p=0:1 q=0:1 + curve p=s q=foo -o a.obj", "q: unknown name 'foo'", "foo=1 defines it",
+     "z=p*q p=0:1 q=0:1 + curve p=s q=foo foo=1 -o a.obj"},
     // several objects
     {"torus + -o a.toml", "there is no object after the '+'", "saddle torus + z=u*v",
      "torus + z=u*v -o a.toml"},

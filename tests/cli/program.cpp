@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -51,6 +53,10 @@ Outcome run_saddle(const std::vector<std::string>& arguments, const std::filesys
   run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   run.out = standard_output.empty() ? read_file(out) : "";
   run.err = read_file(err);
+  // For tests/style/messages.py, which lists the messages that no run tells.
+  if (const char* const told = std::getenv("SADDLE_TOLD")) {
+    std::ofstream(told, std::ios::app) << run.err;
+  }
   return run;
 }
 

@@ -169,23 +169,80 @@ TEST(Unlit, SurfacesHaveTheColoursOfTheirSides) {
   EXPECT_EQ(lit.find("color = front"), std::string::npos) << lit;
 }
 
-/// A square with a line from left to right whose true place is 0.2 behind or before the mesh.
+/// A plain square with a level line from left to right, half way up from the middle; its true place
+/// is `height` before the mesh.
+Square square_with_line(double height) {
+  Square square;
+  square.scene.surfaces[0].color.clear();
+  square.scene.surfaces[0].contours = {{"y", {}}};
+  square.mesh.color.clear();
+  square.mesh.contours = {{{-1, 0.5, height}, {1, 0.5, height}},
+                          {{-1, 0.5, 0}, {1, 0.5, 0}},
+                          {{0, 0, 1}, {0, 0, 1}},
+                          {{0, 1}}};
+  return square;
+}
+
+/// Rows of a column of pixels that have little green, as level lines and nothing else.
+std::vector<int> rows_of_lines(const Image& image) {
+  std::vector<int> rows;
+  for (int y = 0; y < image.height; ++y) {
+    if (image.pixel(100, y)[1] < 80) rows.push_back(y);
+  }
+  return rows;
+}
+
 TEST(ContourLines, AreSeenAlsoWhereTheMeshIsInFrontOfThem) {
   for (const double height : {-0.2, 0.0, 0.2}) {
-    Square square;
-    square.scene.surfaces[0].color.clear();
-    square.mesh.color.clear();
-    square.mesh.contours = {{{-1, 0.5, height}, {1, 0.5, height}},
-                            {{-1, 0.5, 0}, {1, 0.5, 0}},
-                            {{0, 0, 1}, {0, 0, 1}},
-                            {{0, 1}}};
-    const Image image = square.draw();
-    int lines = 0;
-    for (int y = 0; y < 200; ++y) lines += image.pixel(100, y)[0] < 80 ? 1 : 0;
-    EXPECT_EQ(lines, 1) << height;
     // half of the height from the middle: the eye is at distance 1 with an angle of 90 degrees
-    EXPECT_LT(std::min(image.pixel(100, 49)[0], image.pixel(100, 50)[0]), 80) << height;
+    EXPECT_EQ(rows_of_lines(square_with_line(height).draw()), (std::vector{49, 50})) << height;
   }
+}
+
+TEST(ContourLines, AreInPlaceOnASlenderSurfaceThatIsStretched) {
+  Square square = square_with_line(0);
+  constexpr double kSlender = 1e-3;
+  for (dvec3& p : square.mesh.position) p.y *= kSlender;
+  for (dvec3& p : square.mesh.contours.position) p.y *= kSlender;
+  for (dvec3& p : square.mesh.contours.on_mesh) p.y *= kSlender;
+  square.mesh.bounds = {{-1, -kSlender, 0}, {1, kSlender, 0}};
+  square.scene.scale = {.automatic = false, .factors = {1, 1 / kSlender, 1}};
+  EXPECT_EQ(rows_of_lines(square.draw()), (std::vector{49, 50}));
+}
+
+TEST(ContourLines, AreWiderThanTheGridAndInAColourOfTheirOwn) {
+  Square square = square_with_line(0);
+  const Image usual = square.draw();
+  EXPECT_GT(usual.pixel(100, 49)[0], usual.pixel(100, 49)[1] + 100);
+  square.scene.surfaces[0].line_color = {0, 0, 1};
+  const Image chosen = square.draw();
+  EXPECT_EQ(chosen.pixel(100, 49)[0], 0);
+  EXPECT_EQ(chosen.pixel(100, 49)[2], 255);
+  square.scene.surfaces[0].line_width = 3;
+  EXPECT_EQ(rows_of_lines(square.draw()).size(), 6U);
+}
+
+TEST(Letters, HaveARimOfTheBackgroundsColourOnSurfaces) {
+  Square square;
+  square.scene.surfaces[0].color.clear();
+  square.mesh.color.clear();
+  square.scene.surfaces[0].label = "label";
+  square.mesh.anchor = dvec3(0);
+  square.scene.background = {0, 0, 1};
+  const auto blue_pixels = [&] {
+    const Image image = square.draw();
+    int blue = 0;
+    for (int y = 50; y < 150; ++y) {
+      for (int x = 50; x < 150; ++x) {
+        const auto* p = image.pixel(x, y);
+        blue += p[0] == 0 && p[1] == 0 && p[2] == 255 ? 1 : 0;
+      }
+    }
+    return blue;
+  };
+  EXPECT_GT(blue_pixels(), 30);
+  square.scene.background.a = 0.5;  // for a page that is not known
+  EXPECT_EQ(blue_pixels(), 0);
 }
 
 TEST(ColourBar, MarksEndsBeyondWhichThereAreNumbers) {

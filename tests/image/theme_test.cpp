@@ -71,5 +71,19 @@ TEST(Themes, HaveBacksThatCanBeRead) {
   }
 }
 
+TEST(Themes, TellLevelLinesFromTheGridAndFromTheSides) {
+  const dvec2 size(800, 600);
+  for (const Theme theme : {Theme::Dark, Theme::Light, Theme::Paper}) {
+    const SurfaceSpec surface = themed_surface(theme);
+    EXPECT_GE(contour_width_of(surface, size), 2 * line_width_of(surface, size));
+    const Color& lines = contour_color_of(surface, theme);
+    for (const Material& side : {surface.front, surface.back}) {
+      EXPECT_GT(shades_of(side, 30).darkest, luminance(lines) + 0.1) << static_cast<int>(theme);
+    }
+    // Paper is for printers without colours.
+    EXPECT_EQ(lines == surface.line_color, theme == Theme::Paper);
+  }
+}
+
 }  // namespace
 }  // namespace saddle

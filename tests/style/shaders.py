@@ -29,9 +29,7 @@ VARIANTS = [
 ]
 
 
-# Fragment shaders that share a vertex shader, which has none of its own; vertex shaders that share a
-# fragment shader.
-FRAGMENT_OF = {"contour": "line"}
+# Fragment shaders that share a vertex shader, which has none of its own.
 VERTEX_OF = {"text": "overlay", "color_bar": "overlay", "line": "unlit", "peel": "unlit"}
 
 
@@ -93,14 +91,10 @@ LIBRARIES = [pathlib.Path("shaders/functions.glsl"), pathlib.Path("shaders/light
              pathlib.Path("shaders/normal.glsl")]
 shaders = [name for name in tree.files("shaders") if name.suffix == ".glsl"]
 fragments = [name for name in shaders if ".frag." in name.name]
-shared = [(pathlib.Path(f"shaders/{v}.vert.glsl"), pathlib.Path(f"shaders/{f}.frag.glsl"))
-          for v, f in FRAGMENT_OF.items()]
-paired = {*(vertex for vertex, _ in shared), *fragments, *(vertex_of(name) for name in fragments)}
+paired = {*fragments, *(vertex_of(name) for name in fragments)}
 unpaired = [f"{name}: neither X.vert.glsl nor X.frag.glsl of a pair" for name in shaders
             if name not in LIBRARIES and name not in paired]
 unpaired += [f"{name}: no such file" for name in paired if not (tree.ROOT / name).is_file()]
 broken = [c for name in fragments for c in complaints(name)]
-broken += [c for pair in shared
-           for c in validate(pair[0], *((tree.ROOT / name).read_text() for name in pair))]
 broken += [c for name in LIBRARIES for c in library_complaints(name)]
 tree.finish(unpaired + broken, len(shaders), "shaders")

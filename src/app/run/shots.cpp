@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/format.h"
 #include "export/pictures/video.h"
 #include "scene/model/assignments.h"
 #include "scene/model/values.h"
@@ -110,7 +111,8 @@ void check_one_frame(const CommandLine& line, std::span<const Output> outputs, i
 
 std::string name_of(const Shot& shot) {
   if (!shot.frame) return "";
-  return "frame " + std::to_string(*shot.frame) + ", t = " + format_number(shot.t);
+  constexpr int kDigits = 6;
+  return "frame " + std::to_string(*shot.frame) + ", t = " + rounded(shot.t, kDigits);
 }
 
 bool has_frames(const CommandLine& line, std::span<const Output> outputs) {

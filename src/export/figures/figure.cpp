@@ -58,6 +58,7 @@ class FigureMaker {
     Figure figure;
     figure.size = size_;
     figure.ink = ink_of(scene_);
+    figure.rim = rim_of_letters(scene_);
     PictureSettings finer = scene_.picture;
     finer.width *= kFiner;
     finer.height *= kFiner;
@@ -94,10 +95,13 @@ class FigureMaker {
     for (const auto& chain : mesh.lines) {
       add_chain(lines, places(instance, chain, mesh.position), nearer);
     }
-    for (const auto& chain : mesh.contours.lines) {
-      add_chain(lines, places(instance, chain, mesh.contours.position), kContourNearer);
-    }
     if (!lines.lines.empty()) figure.lines.push_back(std::move(lines));
+    const Color& color = contour_color_of(spec, scene_.theme);
+    FigureLines contours{{}, {color.r, color.g, color.b}, contour_width_of(spec, size_)};
+    for (const auto& chain : mesh.contours.lines) {
+      add_chain(contours, places(instance, chain, mesh.contours.position), kContourNearer);
+    }
+    if (!contours.lines.empty()) figure.lines.push_back(std::move(contours));
   }
 
   std::vector<SpaceLabel> labels() const {
@@ -128,6 +132,7 @@ class FigureMaker {
     }
     const Font font;
     for (const WrittenText& text : all.texts) {
+      figure.rim_width = std::max(figure.rim_width, 2 * kLetterRim * text.size);
       const dvec2 extent(std::ceil(font.width(text.text, text.size)) + 1,
                          std::ceil(font.height(text.size)));
       for (OutlinePiece piece : font.outlines(text.text, text.size)) {

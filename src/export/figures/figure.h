@@ -29,6 +29,8 @@ struct Figure {
   std::vector<ColorBar> bars;
   std::vector<OutlinePiece> letters;
   dvec3 ink{0, 0, 0};
+  std::optional<dvec3> rim;  ///< colour around the letters
+  double rim_width = 0;      ///< pixels, to both sides of their outline together
 };
 
 /// Throws Error as render() does.

@@ -48,9 +48,20 @@ class PdfPath {
   }
 
   /// A parabola is a cubic whose control points are two thirds of the way to its own.
-  std::string letters(const std::vector<OutlinePiece>& letters, const dvec3& ink) const {
-    if (letters.empty()) return "";
-    std::string code = color(ink) + " rg\n";
+  std::string letters(const Figure& figure) const {
+    if (figure.letters.empty()) return "";
+    const std::string outlines = outlines_of(figure.letters);
+    std::string code;
+    if (figure.rim) {
+      code += color(*figure.rim) + " RG " + pdf_number(kPoints * figure.rim_width) + " w\n" +
+              outlines + "S\n";
+    }
+    return code + color(figure.ink) + " rg\n" + outlines + "f\n";
+  }
+
+ private:
+  std::string outlines_of(const std::vector<OutlinePiece>& letters) const {
+    std::string code;
     dvec2 last(0);
     for (const OutlinePiece& piece : letters) {
       if (piece.kind == OutlinePiece::Kind::Curve) {
@@ -62,10 +73,9 @@ class PdfPath {
       }
       last = piece.to;
     }
-    return code + "f\n";
+    return code;
   }
 
- private:
   static std::string color(const dvec3& c) {
     return pdf_number(c.r) + " " + pdf_number(c.g) + " " + pdf_number(c.b);
   }
@@ -169,7 +179,7 @@ void write_pdf(std::ostream& out, const PageContent& content) {
                 std::to_string(next++) + " 0 R /Extend [true true] >> ";
   }
   for (const FigureLines& lines : figure.lines) code += path.lines(lines);
-  code += path.letters(figure.letters, figure.ink);
+  code += path.letters(figure);
 
   const std::string columns = std::to_string(figure.image.width);
   const std::string size = "/Width " + columns + " /Height " + std::to_string(figure.image.height) +

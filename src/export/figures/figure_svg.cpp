@@ -95,8 +95,13 @@ void write_svg(std::ostream& out, const PageContent& content) {
         << path_of(lines) << "\"/>\n";
   }
   if (!figure.letters.empty()) {
-    out << "<path fill=\"" << svg_color(figure.ink) << "\" d=\"" << path_of(figure.letters)
-        << "\"/>\n";
+    const std::string letters = path_of(figure.letters);
+    if (figure.rim) {
+      out << "<path fill=\"none\" stroke=\"" << svg_color(*figure.rim) << "\" stroke-width=\""
+          << svg_number(figure.rim_width) << "\" stroke-linejoin=\"round\" d=\"" << letters
+          << "\"/>\n";
+    }
+    out << "<path fill=\"" << svg_color(figure.ink) << "\" d=\"" << letters << "\"/>\n";
   }
   out << "</svg>\n";
 }

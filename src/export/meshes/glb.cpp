@@ -18,6 +18,7 @@
 #include "export/meshes/placed_meshes.h"
 #include "scene/model/camera.h"
 #include "scene/model/texture.h"
+#include "scene/model/theme.h"
 #include "scene/toml/scene_file.h"
 
 namespace saddle {
@@ -128,7 +129,7 @@ class GlbWriter {
     const Mesh& mesh = content_.meshes[i];
     const SurfaceSpec& spec = scene_.surfaces[i];
     if (mesh.position.empty() || (mesh.triangles.empty() && !spec.is_stroke())) return;
-    GlbSurface surface{mesh, spec};
+    GlbSurface surface{mesh, spec, contour_color_of(spec, scene_.theme)};
     surface.unlit = shading_of(scene_, spec) == Shading::Unlit;
     if (!mesh.color.empty() && !scales_.empty()) {
       const ColorScale& scale = scale_of(spec, scales_);

@@ -85,6 +85,7 @@ struct Strokes {
   std::vector<dvec3> normal;  ///< none: they are on no surface
   std::vector<std::uint32_t> lines;
   std::vector<std::uint32_t> points;
+  Color color;
 };
 
 class MeshAdder {
@@ -288,6 +289,7 @@ class MeshAdder {
   /// Grid lines, or the curve or point that the surface stands for.
   Strokes chain_lines() const {
     Strokes strokes;
+    strokes.color = surface_.spec.line_color;
     for (const std::vector<std::uint32_t>& chain : mesh_.lines) {
       for (std::size_t i = 0; i < chain.size(); ++i) {
         const auto vertex = static_cast<std::uint32_t>(strokes.position.size());
@@ -302,6 +304,7 @@ class MeshAdder {
 
   Strokes contour_lines() const {
     Strokes strokes;
+    strokes.color = surface_.contours;
     strokes.position = mesh_.contours.on_mesh;
     strokes.normal = mesh_.contours.normal;
     for (const std::vector<std::uint32_t>& chain : mesh_.contours.lines) {
@@ -328,7 +331,7 @@ class MeshAdder {
     };
     const std::size_t vertices = strokes->position.size();
     const Json attributes = {{"POSITION", add_points(vertices, at, file_)}};
-    const std::size_t material = add_material(plain_look(surface_.spec.line_color), file_);
+    const std::size_t material = add_material(plain_look(strokes->color), file_);
     const auto add_kind = [&](const std::vector<std::uint32_t>& indices, int mode) {
       if (indices.empty()) return;
       const auto each = [strokes, &indices](const auto& take) {

@@ -16,6 +16,7 @@ namespace saddle {
 struct GlbSurface {
   const Mesh& mesh;
   const SurfaceSpec& spec;
+  Color contours = {};  ///< of its level lines
   bool unlit = false;
   std::optional<ColorScale> scale = {};
   std::size_t colors = 0;          ///< the texture of its colours

@@ -11,6 +11,7 @@
 #include "export/meshes/looks.h"
 #include "export/meshes/placed_meshes.h"
 #include "export/meshes/solid_parts.h"
+#include "scene/model/theme.h"
 
 namespace saddle {
 namespace {
@@ -158,7 +159,7 @@ class ObjWriter {
     const std::size_t begin = next_.v;
     for (const dvec3& p : mesh.contours.on_mesh) put_vector("v", placed.place.point(p), doubles_);
     next_.v += mesh.contours.on_mesh.size();
-    use(name + "-lines");
+    use(name + "-contours");
     write_chains(mesh.contours.lines, begin, [](std::uint32_t vertex) { return vertex; });
   }
 
@@ -221,6 +222,10 @@ void write_mtl(std::ostream& out, const MeshContent& content) {
     Material lines;
     lines.diffuse = placed.spec->line_color;
     write_material(writer, name + "-lines", lines, 1);
+    if (!placed.mesh->contours.lines.empty()) {
+      lines.diffuse = contour_color_of(*placed.spec, content.scene.theme);
+      write_material(writer, name + "-contours", lines, 1);
+    }
     if (placed.is_line) continue;
     for (const PartRange& part : parts_of(*placed.mesh)) {
       Material material = material_of(*placed.spec, part.part);

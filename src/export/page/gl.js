@@ -88,7 +88,7 @@ function glPainter(canvas) {
       });
     }
     const floats = new Float32Array(numbers);
-    return {...vertexArray([[0, 3, floats, 6, 0, 1], [5, 3, floats, 6, 3, 1]]), count: numbers.length / 6};
+    return {...vertexArray([0, 5, 6, 8].map((at, i) => [at, 3, floats, 6, i % 2 * 3, 1])), count: numbers.length / 6};
   }
 
   function upload(s) {
@@ -157,9 +157,8 @@ function glPainter(canvas) {
     gl.enable(gl.DEPTH_TEST);
     const placedItems = items.map(({s, matrix}) => ({s, matrix, placed: place(s, matrix, c)}));
     const wide = Math.max(...scene.surfaces.map(s => s.look.line_width || 1));
-    const hasContours = scene.surfaces.some(s => s.contours.length);
-    gl.polygonOffset((hasContours ? 2 : 1) * wide * per / 2 + 0.5, 1);
-    if (hasContours || scene.surfaces.some(s => s.chains.length)) gl.enable(gl.POLYGON_OFFSET_FILL);
+    gl.polygonOffset(wide * per + 1, 1);  // half of a level line's width
+    if (scene.surfaces.some(s => s.chains.length || s.contours.length)) gl.enable(gl.POLYGON_OFFSET_FILL);
     const faces = placedItems.filter(({s}) => s.drawn.length && s.look.opacity > 0);
     for (const item of faces) if (item.s.look.opacity >= 1) drawFaces(item, array, false);
     gl.disable(gl.POLYGON_OFFSET_FILL);
@@ -174,7 +173,7 @@ function glPainter(canvas) {
         if (!s.drawn.length) drawStrokes(s.buffers.lines, there.toClip, width, color, c);
       } else {
         if (view.grid) drawStrokes(s.buffers.lines, placed.toClip, width, color, c);
-        drawStrokes(s.buffers.contours, placed.toClip, width, color, c);
+        drawStrokes(s.buffers.contours, placed.toClip, 2 * width, s.look.levels, c);
       }
     }
     if (edges.length) {

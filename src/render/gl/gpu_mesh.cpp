@@ -26,10 +26,6 @@ struct Vertex {
 /// Stands for no number.
 constexpr float kUndefined = -1;
 
-/// A side that is less than this part of a mesh has its own unit: 16 of a float's 24 bits are left
-/// for it in the common one, a quarter of a pixel where it fills the largest picture.
-constexpr double kSlender = 1.0 / 256;
-
 /// Ends a strip; no mesh has that many corners.
 constexpr GLuint kRestart = std::numeric_limits<GLuint>::max();
 
@@ -52,8 +48,7 @@ void upload_vertices(const Mesh& mesh, const ModelFrame& frame) {
   glUnmapBuffer(GL_ARRAY_BUFFER);
 }
 
-/// `second`: the attribute beside the position.
-void describe_vertices(GLuint second = kNormal) {
+void describe_vertices() {
   const auto attribute = [](GLuint location, std::size_t offset) {
     glEnableVertexAttribArray(location);
     // GL takes an offset into the buffer as a pointer.
@@ -61,7 +56,7 @@ void describe_vertices(GLuint second = kNormal) {
     glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), start);
   };
   attribute(kPosition, offsetof(Vertex, position));
-  attribute(second, offsetof(Vertex, normal));
+  attribute(kNormal, offsetof(Vertex, normal));
 }
 
 /// The numbers of the corners as a share of their range.
@@ -111,18 +106,6 @@ void draw_strips(const GlVertexArray& array, GLsizei indices) {
 }
 
 }  // namespace
-
-ModelFrame model_frame(const Bounds& bounds) {
-  if (bounds.empty()) return {};
-  const dvec3 half = 0.5 * bounds.size();
-  const double length = std::hypot(half.x, half.y, half.z);
-  const double size = length > 0 ? length : 1;
-  ModelFrame frame{bounds.centre(), size, dvec3(size)};
-  for (int k = 0; k < 3; ++k) {
-    if (std::isnormal(1 / half[k]) && half[k] < kSlender * size) frame.sides[k] = half[k];
-  }
-  return frame;
-}
 
 Mesh mesh_of_lines(std::span<const std::array<dvec3, 2>> lines) {
   Mesh mesh;
@@ -185,29 +168,10 @@ GpuMesh::GpuMesh(const Mesh& mesh)
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, lines_.get());
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(GLuint)),
                indices.data(), GL_STATIC_DRAW);
-  if (!mesh.contours.lines.empty()) contours_.emplace(mesh.contours, frame_);
-}
-
-GpuMesh::Contours::Contours(const MeshContours& contours, const ModelFrame& frame)
-    : array(make_name<GlVertexArray>(glGenVertexArrays)),
-      vertices(make_name<GlBuffer>(glGenBuffers)),
-      lines(make_name<GlBuffer>(glGenBuffers)) {
-  std::vector<Vertex> places;
-  places.reserve(contours.position.size());
-  for (std::size_t i = 0; i < contours.position.size(); ++i) {
-    places.push_back({glm::vec3((contours.position[i] - frame.centre) / frame.size),
-                      glm::vec3((contours.on_mesh[i] - frame.centre) / frame.size)});
+  if (!mesh.contours.lines.empty()) {
+    const MeshContours& contours = mesh.contours;
+    contours_.emplace(contours.lines, contours.position, contours.on_mesh, bounds_);
   }
-  const std::vector<GLuint> strips = strip_indices(contours.lines);
-  indices = static_cast<GLsizei>(strips.size());
-  glBindVertexArray(array.get());
-  glBindBuffer(GL_ARRAY_BUFFER, vertices.get());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(places.size() * sizeof(Vertex)),
-               places.data(), GL_STATIC_DRAW);
-  describe_vertices(kOnMesh);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, lines.get());
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(strips.size() * sizeof(GLuint)),
-               strips.data(), GL_STATIC_DRAW);
 }
 
 void GpuMesh::set_texture_places(std::span<const dvec2> places) {
@@ -259,7 +223,7 @@ void GpuMesh::draw_lines() const {
 }
 
 void GpuMesh::draw_contours() const {
-  if (contours_) draw_strips(contours_->array, contours_->indices);
+  if (contours_) contours_->draw();
 }
 
 }  // namespace saddle

@@ -1,4 +1,4 @@
-// A mesh in GL buffers: the one place where doubles become floats.
+// A mesh in GL buffers: doubles become floats.
 #pragma once
 
 #include <array>
@@ -8,22 +8,11 @@
 
 #include "mesh/model/mesh.h"
 #include "render/gl/gl.h"
+#include "render/gl/gpu_strokes.h"
+#include "render/gl/model_frame.h"
 #include "render/gl/program.h"
 
 namespace saddle {
-
-/// Model coordinates are (world - centre) / sides, computed in double: floats near 1 keep their 24
-/// bits for the surface's shape, wherever it is and however large.
-struct ModelFrame {
-  dvec3 centre{0, 0, 0};
-  double size = 1;
-  /// All of them `size`, but of a mesh that is much shorter along one axis than along another: a
-  /// picture may be stretched until all are alike. Normals are those of the stretched mesh, too.
-  dvec3 sides{1, 1, 1};
-};
-
-/// The frame in which `bounds` lies within distance 1 of the origin.
-ModelFrame model_frame(const Bounds& bounds);
 
 /// A mesh that has only these lines.
 Mesh mesh_of_lines(std::span<const std::array<dvec3, 2>> lines);
@@ -42,7 +31,7 @@ class GpuMesh {
   /// The range of the numbers that it is coloured by; nothing if it is not.
   const std::optional<ColorRange>& color_range() const { return color_range_; }
   bool has_lines() const { return line_indices_ > 0; }
-  bool has_contours() const { return contours_ && contours_->indices > 0; }
+  bool has_contours() const { return contours_.has_value(); }
   /// Gives its corners their u and v, and what the program of trust_shader() finds out about each
   /// of them. Returns the share of corners that it trusts.
   double measure_trust(Program& program, std::span<const dvec2> uv);
@@ -56,18 +45,10 @@ class GpuMesh {
   /// So many of them, from one on.
   void draw_triangles(std::size_t first, std::size_t count) const;
   void draw_lines() const;
-  /// Its level lines; the second attribute of a vertex is its place on the triangles.
+  /// Its level lines, with the program of stroke.vert.glsl.
   void draw_contours() const;
 
  private:
-  struct Contours {
-    explicit Contours(const MeshContours& contours, const ModelFrame& frame);
-    GlVertexArray array;
-    GlBuffer vertices;
-    GlBuffer lines;
-    GLsizei indices = 0;
-  };
-
   Bounds bounds_;
   ModelFrame frame_;  ///< of the bounds
   std::optional<SolidParts> solid_;
@@ -82,7 +63,7 @@ class GpuMesh {
   std::optional<GlBuffer> parameters_;
   std::optional<GlBuffer> trust_;
   std::optional<GlBuffer> texture_places_;
-  std::optional<Contours> contours_;
+  std::optional<GpuStrokes> contours_;
   GLsizei triangle_indices_ = 0;
   GLsizei line_indices_ = 0;
 };

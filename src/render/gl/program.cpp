@@ -80,7 +80,7 @@ void Program::check_attributes() const {
   static const std::map<std::string, GLint> known{
       {"position", kPosition},  {"corner_normal", kNormal}, {"parameters", kParameters},
       {"corner_color", kColor}, {"trust", kTrust},          {"far_end", kFarEnd},
-      {"on_mesh", kOnMesh},     {"corner_place", kTexture}};
+      {"on_mesh", kOnMesh},     {"corner_place", kTexture}, {"far_on_mesh", kFarOnMesh}};
   GLint count = 0;
   glGetProgramiv(program_.get(), GL_ACTIVE_ATTRIBUTES, &count);
   for (GLint i = 0; i < count; ++i) {

@@ -23,7 +23,8 @@ enum Attribute : GLuint {
   kTrust = 4,
   kFarEnd = 5,
   kOnMesh = 6,
-  kTexture = 7
+  kTexture = 7,
+  kFarOnMesh = 8
 };
 
 class Program {

@@ -109,6 +109,44 @@ TextBitmap Font::draw(const std::string& text, double size) const {
   return bitmap;
 }
 
+TextBitmap rim_of(const TextBitmap& letters, int pixels) {
+  // In its column a pixel is so far from the nearest ink; farther than the rim is wide: nowhere.
+  constexpr int kInk = 96;  // of 255: the outline goes through such pixels
+  const int far = pixels + 1;
+  TextBitmap rim{letters.width + 2 * pixels, letters.height + 2 * pixels, {}};
+  const auto at = [&](int x, int y) { return static_cast<std::size_t>(y) * rim.width + x; };
+  std::vector<int> above(at(0, rim.height), far);
+  for (int y = 0; y < letters.height; ++y) {
+    for (int x = 0; x < letters.width; ++x) {
+      const bool is_ink = letters.coverage[static_cast<std::size_t>(y) * letters.width + x] > kInk;
+      if (is_ink) above[at(x + pixels, y + pixels)] = 0;
+    }
+  }
+  for (int y = 1; y < rim.height; ++y) {
+    for (int x = 0; x < rim.width; ++x) {
+      above[at(x, y)] = std::min(above[at(x, y)], above[at(x, y - 1)] + 1);
+    }
+  }
+  for (int y = rim.height - 2; y >= 0; --y) {
+    for (int x = 0; x < rim.width; ++x) {
+      above[at(x, y)] = std::min(above[at(x, y)], above[at(x, y + 1)] + 1);
+    }
+  }
+  rim.coverage.reserve(above.size());
+  for (int y = 0; y < rim.height; ++y) {
+    for (int x = 0; x < rim.width; ++x) {
+      double nearest = far * far;
+      for (int k = std::max(0, x - pixels); k <= std::min(rim.width - 1, x + pixels); ++k) {
+        const double d = above[at(k, y)];
+        nearest = std::min(nearest, d * d + (k - x) * (k - x));
+      }
+      const double share = std::clamp(pixels + 1 - std::sqrt(nearest), 0.0, 1.0);
+      rim.coverage.push_back(static_cast<std::uint8_t>(std::lround(255 * share)));
+    }
+  }
+  return rim;
+}
+
 std::vector<OutlinePiece> Font::outlines(const std::string& text, double size) const {
   std::vector<OutlinePiece> pieces;
   const double line = std::round(kAbove * size);

@@ -18,6 +18,13 @@ struct TextBitmap {
   std::vector<std::uint8_t> coverage;
 };
 
+/// Letters have a rim of the background's colour, this share of their size wide, where they stand
+/// on lines and surfaces.
+inline constexpr double kLetterRim = 0.14;
+
+/// The rim around letters, this many pixels farther to each side: all that is so near to the ink.
+TextBitmap rim_of(const TextBitmap& letters, int pixels);
+
 /// A piece of a letter's outline. A curve is a parabola.
 struct OutlinePiece {
   enum class Kind { Move, Line, Curve };

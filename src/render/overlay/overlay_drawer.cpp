@@ -52,13 +52,14 @@ glm::dmat4 OverlayDrawer::pixels_to_clip(const Viewport& v) {
   return m;
 }
 
-void OverlayDrawer::draw(const Annotations& annotations, const Viewport& viewport, const dvec3& ink,
-                         Program& lines, ColormapTextures& colormaps) {
+void OverlayDrawer::draw(const Annotations& annotations, const Viewport& viewport,
+                         const TextColors& colors, Program& lines, ColormapTextures& colormaps) {
   glDisable(GL_DEPTH_TEST);
   if (!corners_) corners_ = make_name<GlVertexArray>(glGenVertexArrays);
   draw_bars(annotations, viewport, colormaps);
   draw_strokes(annotations, viewport, lines);
-  draw_texts(annotations, viewport, ink);
+  if (colors.rim) draw_texts(annotations, viewport, *colors.rim, &Letters::rim);
+  draw_texts(annotations, viewport, colors.ink, &Letters::ink);
   glEnable(GL_DEPTH_TEST);
 }
 
@@ -103,8 +104,13 @@ const OverlayDrawer::Letters& OverlayDrawer::letters(const std::string& text, do
   const auto known = letters_.find(key);
   if (known != letters_.end()) return known->second;
   if (letters_.size() >= kMostTexts) letters_.clear();
-  const TextBitmap bitmap = font_.draw(text, key.second);
-  Letters made{make_name<GlTexture>(glGenTextures), bitmap.width, bitmap.height};
+  const TextBitmap ink = font_.draw(text, key.second);
+  const int rim = std::max(1, static_cast<int>(std::lround(kLetterRim * key.second)));
+  return letters_.emplace(key, Letters{stencil(ink), stencil(rim_of(ink, rim))}).first->second;
+}
+
+OverlayDrawer::Stencil OverlayDrawer::stencil(const TextBitmap& bitmap) {
+  Stencil made{make_name<GlTexture>(glGenTextures), bitmap.width, bitmap.height};
   glBindTexture(GL_TEXTURE_2D, made.texture.get());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, bitmap.width, bitmap.height, 0, GL_RED, GL_UNSIGNED_BYTE,
@@ -112,22 +118,22 @@ const OverlayDrawer::Letters& OverlayDrawer::letters(const std::string& text, do
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  return letters_.emplace(key, std::move(made)).first->second;
+  return made;
 }
 
 void OverlayDrawer::draw_texts(const Annotations& annotations, const Viewport& viewport,
-                               const dvec3& ink) {
+                               const dvec3& color, Stencil Letters::*part) {
   if (annotations.texts.empty()) return;
   if (!text_program_) text_program_.emplace(make_program("text.frag.glsl"));
   glActiveTexture(GL_TEXTURE0);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   text_program_->use();
-  text_program_->set("ink", ink);
+  text_program_->set("ink", color);
   text_program_->set_texture("letters", 0);
   glBindVertexArray(corners_->get());
   for (const WrittenText& text : annotations.texts) {
-    const Letters& drawn = letters(text.text, text.size * viewport.per_side);
+    const Stencil& drawn = letters(text.text, text.size * viewport.per_side).*part;
     glBindTexture(GL_TEXTURE_2D, drawn.texture.get());
     const dvec2 extent(drawn.width, drawn.height);
     const dvec2 middle = sample_of(text.middle, viewport);

@@ -19,25 +19,37 @@ namespace saddle {
 /// Needs the same current context from the first to the last of its calls.
 class OverlayDrawer {
  public:
+  /// Colours of letters and of their rims; without one they have none.
+  struct TextColors {
+    dvec3 ink{0, 0, 0};
+    std::optional<dvec3> rim;
+  };
+
   /// Everything but the box, which needs the surfaces' depths. `lines` draws lines, its colour set.
-  void draw(const Annotations& annotations, const Viewport& viewport, const dvec3& ink,
+  void draw(const Annotations& annotations, const Viewport& viewport, const TextColors& colors,
             Program& lines, ColormapTextures& colormaps);
 
   /// From pixels of the whole picture to clip coordinates of a part of it.
   static glm::dmat4 pixels_to_clip(const Viewport& viewport);
 
  private:
-  struct Letters {
+  /// Letters, or the rims of letters, as shares of samples.
+  struct Stencil {
     GlTexture texture;
     int width = 0;
     int height = 0;
+  };
+  struct Letters {
+    Stencil ink, rim;
   };
 
   const Letters& letters(const std::string& text, double size);
   void draw_bars(const Annotations& annotations, const Viewport& viewport,
                  ColormapTextures& colormaps);
   void draw_strokes(const Annotations& annotations, const Viewport& viewport, Program& lines);
-  void draw_texts(const Annotations& annotations, const Viewport& viewport, const dvec3& ink);
+  static Stencil stencil(const TextBitmap& bitmap);
+  void draw_texts(const Annotations& annotations, const Viewport& viewport, const dvec3& color,
+                  Stencil Letters::*part);
 
   Font font_;
   std::map<std::pair<std::string, int>, Letters> letters_;  ///< by text and size in samples

@@ -34,41 +34,47 @@ Program& LineDrawer::program() {
 
 Program& LineDrawer::contour_program() {
   if (!contour_program_) {
-    contour_program_.emplace(std::string(shader_source("contour.vert.glsl")),
-                             std::string(shader_source("line.frag.glsl")));
+    contour_program_.emplace(std::string(shader_source("stroke.vert.glsl")),
+                             std::string(shader_source("stroke.frag.glsl")));
   }
   return *contour_program_;
-}
-
-void LineDrawer::draw(const Scene& scene, std::span<const PlacedMesh> items,
-                      std::span<const GpuMesh> meshes, Program& program, const Viewport& viewport,
-                      Has has, Draw draw) {
-  program.use();
-  for (const PlacedMesh& item : items) {
-    const SurfaceSpec& surface = scene.surfaces[item.surface];
-    const GpuMesh& mesh = meshes[item.surface];
-    if (!(mesh.*has)() || surface.is_stroke()) continue;
-    const Color& color = surface.line_color;
-    program.set("line_color", dvec3(color.r, color.g, color.b));
-    const double width = line_width_of(surface, viewport.size());
-    has_thinner_lines_ |= !set_line_width(samples_across(width, viewport));
-    program.set("model_to_clip", item.model_to_clip);
-    program.check_all_set();
-    (mesh.*draw)();
-  }
 }
 
 void LineDrawer::draw_lines(const Scene& scene, std::span<const PlacedMesh> items,
                             std::span<const GpuMesh> meshes, const Viewport& viewport) {
   if (std::ranges::none_of(meshes, &GpuMesh::has_lines)) return;
-  draw(scene, items, meshes, program(), viewport, &GpuMesh::has_lines, &GpuMesh::draw_lines);
+  program().use();
+  for (const PlacedMesh& item : items) {
+    const SurfaceSpec& surface = scene.surfaces[item.surface];
+    const GpuMesh& mesh = meshes[item.surface];
+    if (!mesh.has_lines() || surface.is_stroke()) continue;
+    const Color& color = surface.line_color;
+    program().set("line_color", dvec3(color.r, color.g, color.b));
+    const double width = line_width_of(surface, viewport.size());
+    has_thinner_lines_ |= !set_line_width(samples_across(width, viewport));
+    program().set("model_to_clip", item.model_to_clip);
+    program().check_all_set();
+    mesh.draw_lines();
+  }
 }
 
 void LineDrawer::draw_contours(const Scene& scene, std::span<const PlacedMesh> items,
                                std::span<const GpuMesh> meshes, const Viewport& viewport) {
+  const dvec2 half_samples = dvec2(viewport.samples_across(), viewport.samples_down()) / 2.0;
+  contour_program().use();
   glEnable(GL_DEPTH_CLAMP);  // they may stand out of the box that holds the triangles
-  draw(scene, items, meshes, contour_program(), viewport, &GpuMesh::has_contours,
-       &GpuMesh::draw_contours);
+  for (const PlacedMesh& item : items) {
+    const SurfaceSpec& surface = scene.surfaces[item.surface];
+    const GpuMesh& mesh = meshes[item.surface];
+    if (!mesh.has_contours()) continue;
+    const Color& color = contour_color_of(surface, scene.theme);
+    contour_program().set("line_color", dvec3(color.r, color.g, color.b));
+    const double width = contour_width_of(surface, viewport.size()) * viewport.per_side;
+    contour_program().set("half_size", dvec3(half_samples, width / 2));
+    contour_program().set("model_to_clip", item.model_to_clip);
+    contour_program().check_all_set();
+    mesh.draw_contours();
+  }
   glDisable(GL_DEPTH_CLAMP);
 }
 

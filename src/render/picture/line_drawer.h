@@ -1,4 +1,4 @@
-// Lines that are drawn as GL's lines: grid lines, contours, marks, the box of axes.
+// Lines on surfaces: grid lines, marks and the box of axes as GL's lines, contours as strokes.
 #pragma once
 
 #include <array>
@@ -36,12 +36,7 @@ class LineDrawer {
   bool has_thinner_lines() const { return has_thinner_lines_; }
 
  private:
-  using Has = bool (GpuMesh::*)() const;
-  using Draw = void (GpuMesh::*)() const;
-
   Program& contour_program();
-  void draw(const Scene& scene, std::span<const PlacedMesh> items, std::span<const GpuMesh> meshes,
-            Program& program, const Viewport& viewport, Has has, Draw draw);
 
   std::optional<Program> program_;
   std::optional<Program> contour_program_;

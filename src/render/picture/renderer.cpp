@@ -129,7 +129,12 @@ bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   const std::vector<ShaderLight> lights = shader_lights(scene, camera, unit);
   scales_ = scales_of(scene);
 
-  const int line = samples_across(widest_surface_line(scene, viewport.size()), viewport);
+  LineWidths widths;
+  widths.grid = samples_across(widest_surface_line(scene, viewport.size()), viewport);
+  // Contours are half a pixel beside the mesh.
+  widths.widest = has_contours()
+                      ? samples_across(widest_contour(scene, viewport.size()) + 1, viewport)
+                      : widths.grid;
   glViewport(0, 0, viewport.samples_across(), viewport.samples_down());
   std::vector<PlacedMesh> hiding;
   std::vector<PlacedMesh> see_through;
@@ -152,7 +157,7 @@ bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   glEnable(GL_DEPTH_TEST);
   if (!look.interruption.is_over) {
     clear(background);
-    draw_surfaces(scene, hiding, lights, line, look);
+    draw_surfaces(scene, hiding, lights, widths, look);
     if (!look.bare) {
       if (look.lines) line_drawer_.draw_lines(scene, items, meshes_, viewport);
       if (has_contours()) line_drawer_.draw_contours(scene, items, meshes_, viewport);
@@ -171,8 +176,8 @@ bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     std::size_t triangles = 0;
     for (const PlacedMesh& item : see_through) triangles += meshes_[item.surface].triangle_count();
     const auto cut_after =
-        layers(viewport).draw({[&](Program& peel) { draw_depths(see_through, peel, line, look); },
-                               [&] { draw_surfaces(scene, see_through, lights, line, look); },
+        layers(viewport).draw({[&](Program& peel) { draw_depths(see_through, peel, widths, look); },
+                               [&] { draw_surfaces(scene, see_through, lights, widths, look); },
                                least, triangles, look.interruption});
     is_whole = cut_after.has_value();
     if (is_whole && *cut_after > 0 && (layers_drawn_ == 0 || *cut_after < layers_drawn_)) {
@@ -184,7 +189,7 @@ bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     program.use();
     program.set("line_color", ink);
     if (!overlay_) overlay_.emplace();
-    overlay_->draw(annotations, viewport, ink, program, colormaps_);
+    overlay_->draw(annotations, viewport, {ink, rim_of_letters(scene)}, program, colormaps_);
   }
   glUseProgram(0);  // a program that a caller remembers as used may be deleted
   check_gl();
@@ -286,16 +291,15 @@ void Renderer::set_texture(Program& program, const SurfaceSpec& surface) {
 }
 
 /// Faces are pushed back by the depth they have across half a line's width, at which a sample of
-/// the line may be, and half a sample more. Contours are half a pixel beside the mesh.
-void Renderer::start_faces(int line_width, const Look& look) const {
+/// the line may be, and half a sample more.
+void Renderer::start_faces(const LineWidths& widths, const Look& look) const {
   if (has_lines() || has_contours()) {
     glEnable(GL_POLYGON_OFFSET_FILL);
-    const int across = (has_contours() ? 2 : 1) * line_width + 1;
-    glPolygonOffset(0.5F * static_cast<float>(across), 1);
+    glPolygonOffset(0.5F * static_cast<float>(widths.widest + 1), 1);
   }
   if (!look.wireframe) return;
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  set_line_width(line_width);
+  set_line_width(widths.grid);
 }
 
 void Renderer::end_faces() {
@@ -303,9 +307,9 @@ void Renderer::end_faces() {
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void Renderer::draw_depths(std::span<const PlacedMesh> items, Program& program, int line_width,
-                           const Look& look) {
-  start_faces(line_width, look);
+void Renderer::draw_depths(std::span<const PlacedMesh> items, Program& program,
+                           const LineWidths& widths, const Look& look) {
+  start_faces(widths, look);
   for (const PlacedMesh& item : items) {
     program.set("model_to_clip", item.model_to_clip);
     program.check_all_set();
@@ -316,8 +320,8 @@ void Renderer::draw_depths(std::span<const PlacedMesh> items, Program& program, 
 
 /// Passes after the first add light to the nearest surfaces.
 void Renderer::draw_surfaces(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
-                             int line_width, const Look& look) {
-  start_faces(line_width, look);
+                             const LineWidths& widths, const Look& look) {
+  start_faces(widths, look);
   const std::size_t most = lights_at_once();
   draw_pass(scene, items, lights.first(std::min(most, lights.size())), true);
   if (lights.size() > most) {

@@ -79,6 +79,11 @@ class Renderer {
     std::optional<std::string> warning;   // and why
   };
   using Lights = std::span<const ShaderLight>;
+  /// Samples across lines on surfaces.
+  struct LineWidths {
+    int grid = 1;
+    int widest = 1;
+  };
 
   std::vector<PlacedMesh> items_of(const Scene& scene, const FittedCamera& camera, double unit,
                                    const Look& look) const;
@@ -87,15 +92,15 @@ class Renderer {
   bool has_lines() const;
   bool has_contours() const;
   std::size_t lights_at_once();
-  void start_faces(int line_width, const Look& look) const;
+  void start_faces(const LineWidths& widths, const Look& look) const;
   static void end_faces();
-  void draw_depths(std::span<const PlacedMesh> items, Program& program, int line_width,
+  void draw_depths(std::span<const PlacedMesh> items, Program& program, const LineWidths& widths,
                    const Look& look);
   std::vector<ColorScale> scales_of(const Scene& scene) const;
   void set_color(Program& program, const Scene& scene, std::size_t surface);
   void set_texture(Program& program, const SurfaceSpec& surface);
   void draw_surfaces(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
-                     int line_width, const Look& look);
+                     const LineWidths& widths, const Look& look);
   Program& surface_program(const ShaderNeeds& needs, const std::string& surface);
   void draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights, bool first);
 

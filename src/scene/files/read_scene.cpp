@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "formula/lexer.h"
+#include "formula/syntax.h"
 #include "scene/model/assignments.h"
 #include "scene/model/bind_stroke.h"
 #include "scene/model/choices.h"
@@ -143,13 +144,18 @@ SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const To
   return spec;
 }
 
+/// The keys of [[curve]] or [[point]].
+std::vector<std::string> stroke_keys(Table table) {
+  std::vector<std::string> keys = keys_of(Table::Stroke);
+  std::ranges::copy(keys_of(table), std::back_inserter(keys));
+  return keys;
+}
+
 /// A [[curve]] or a [[point]].
 template <typename Stroke>
 Stroke read_stroke(TomlReader& reader, const char* name, Table table, const std::string& prefix,
                    const TomlValue& value) {
-  std::vector<std::string> keys = keys_of(Table::Stroke);
-  std::ranges::copy(keys_of(table), std::back_inserter(keys));
-  reader.source().check_keys(name, value, keys);
+  reader.source().check_keys(name, value, stroke_keys(table));
   Stroke stroke;
   read_keys(reader, prefix, value, stroke);
   reader.note(prefix, "", value.span);
@@ -287,13 +293,34 @@ void check_scene(const TomlReader& reader, const Scene& scene) {
   const std::string last = scene.surfaces.empty() ? "" : surface_prefix(scene.surfaces.size() - 1);
   const Scene resolved = reader.in_place([&] { return resolve(scene); }, last);
   check_formulas(resolved, [&](const std::string& prefix, const std::function<void()>& action) {
-    reader.in_place(action, prefix);
+    reader.in_place(
+        [&] {
+          try {
+            action();
+          } catch (const Error& error) {
+            const auto name = undefined_name(error);
+            throw name ? with_hint_line(error, *name + " = 1 below [params] defines it") : error;
+          }
+        },
+        prefix);
   });
+}
+
+/// Where keys belong: a key of several tables to the first.
+std::vector<TomlPlaces::KnownTable> known_tables() {
+  return {{"below [[surface]]", keys_of(Table::Surface)},
+          {"above all tables", keys_of(Table::Scene)},
+          {"below [camera]", keys_of(Table::Camera)},
+          {"below [animation]", keys_of(Table::Animation)},
+          {"below [[curve]]", stroke_keys(Table::Curve)},
+          {"below [[point]]", stroke_keys(Table::Point)},
+          {"below [[light]]", light_keys()},
+          {"below [[node]]", {"transform"}}};
 }
 
 Scene read(const SourceText& source, const std::optional<Theme>& theme, bool is_draft) {
   const TomlValue root = parse_toml(source);
-  TomlPlaces places(source);
+  TomlPlaces places(source, known_tables());
   TomlReader reader(places);
   Scene scene = read_tables(reader, root, theme);
   reader.in_place([&] { check_counts(scene); });

@@ -118,9 +118,15 @@ std::vector<Definition> curve_definitions(const Scene& scene, const CurveSpec& s
   return names;
 }
 
+/// ", here p and q" on a surface whose parameters have names of their own.
+std::string own_names(const Scene& scene, const StrokeSpec& spec) {
+  const ParameterNames& names = surface_under(scene, spec).parameters;
+  return names == kUsualParameters ? "" : ", here " + names[0] + " and " + names[1];
+}
+
 /// Either a place in space or both u and v on a surface.
-void check_place(const StrokeSpec& spec, bool is_in_space, const std::string& what,
-                 const std::string& example) {
+void check_place(const Scene& scene, const StrokeSpec& spec, bool is_in_space,
+                 const std::string& what, const std::string& example) {
   const bool is_on_surface = !spec.u.empty() || !spec.v.empty();
   if (!is_in_space && !is_on_surface) {
     throw Error(Status::Input, "the " + what + " has no place", {}, "for example " + example);
@@ -133,14 +139,15 @@ void check_place(const StrokeSpec& spec, bool is_in_space, const std::string& wh
   }
   if (is_on_surface && (spec.u.empty() || spec.v.empty())) {
     throw Error(Status::Input, std::string(spec.u.empty() ? "u" : "v") + " is missing",
-                {name, given, {0, given.size()}}, "a place on a surface has u and v");
+                {name, given, {0, given.size()}},
+                "a place on a surface has u and v" + own_names(scene, spec));
   }
 }
 
 }  // namespace
 
 BoundSurface bind_point(const Scene& scene, const PointSpec& spec) {
-  check_place(spec, spec.at.has_value(), "point", "point 1,2,3");
+  check_place(scene, spec, spec.at.has_value(), "point", "point 1,2,3");
   BoundSurface result;
   Graph& graph = result.graph;
   StrokeParser parser(graph, scene, "", scene.definitions);
@@ -169,7 +176,8 @@ BoundSurface bind_point(const Scene& scene, const PointSpec& spec) {
 
 BoundCurve bind_curve(const Scene& scene, const CurveSpec& spec) {
   const auto formulas = coordinate_formulas(spec);
-  check_place(spec, std::ranges::any_of(formulas, [](const auto& f) { return !f.second.empty(); }),
+  check_place(scene, spec,
+              std::ranges::any_of(formulas, [](const auto& f) { return !f.second.empty(); }),
               "curve", kExampleOfCurve);
   BoundCurve result;
   Graph& graph = result.graph;

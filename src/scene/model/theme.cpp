@@ -17,16 +17,28 @@ constexpr double kDotWidth = 7;
 const Color kDull{0.05, 0.05, 0.05};
 const Color kMatte{0, 0, 0};
 
+/// The width of level lines, in widths of a grid line.
+constexpr double kContourWidth = 2;
+const Color kContourRed{0.72, 0.05, 0.1};
+
 /// In the order of Theme.
 const std::array<ThemeLook, 3> kLooks = {
-    ThemeLook{{0, 0, 0, 1}, kLineColor, kFrontMaterial, kBackMaterial, dvec3(0.15), dvec3(0.5)},
+    ThemeLook{{0, 0, 0, 1},
+              kLineColor,
+              kContourRed,
+              kFrontMaterial,
+              kBackMaterial,
+              dvec3(0.15),
+              dvec3(0.5)},
     ThemeLook{{0.96, 0.96, 0.94, 1},
               kLineColor,
+              kContourRed,
               {{1, 0.82, 0.4}, kDull, 32},
               {{0.42, 0.58, 0.95}, kDull, 32},
               dvec3(0.15),
               dvec3(0.15)},
     ThemeLook{{1, 1, 1, 1},
+              {0, 0, 0},
               {0, 0, 0},
               {{1, 0.98, 0.92}, kMatte, 32},
               {{0.3, 0.33, 0.41}, kMatte, 32},
@@ -80,6 +92,12 @@ dvec3 ink_of(const Scene& scene) {
   return luma < 0.5 ? dvec3(0.85) : look.dark_ink;
 }
 
+std::optional<dvec3> rim_of_letters(const Scene& scene) {
+  const Color& background = scene.background;
+  if (background.a < 1) return std::nullopt;
+  return dvec3(background.r, background.g, background.b);
+}
+
 double fit_line_width(const dvec2& size) {
   return std::max(1.0, std::min(size.y, size.x / kUsualShape) / kUsualHeight);
 }
@@ -87,6 +105,15 @@ double fit_line_width(const dvec2& size) {
 double line_width_of(const SurfaceSpec& surface, const dvec2& size) {
   if (surface.line_width) return *surface.line_width;
   return (surface.point ? kDotWidth : 1) * fit_line_width(size);
+}
+
+double contour_width_of(const SurfaceSpec& surface, const dvec2& size) {
+  return kContourWidth * line_width_of(surface, size);
+}
+
+const Color& contour_color_of(const SurfaceSpec& surface, Theme theme) {
+  const ThemeLook& look = look_of(theme);
+  return surface.line_color == look.lines ? look.contours : surface.line_color;
 }
 
 double widest_surface_line(const Scene& scene, const dvec2& size) {
@@ -97,8 +124,16 @@ double widest_surface_line(const Scene& scene, const dvec2& size) {
   return widest > 0 ? widest : fit_line_width(size);
 }
 
-double widest_line(const Scene& scene, const dvec2& size) {
+double widest_contour(const Scene& scene, const dvec2& size) {
   double widest = 0;
+  for (const SurfaceSpec& surface : scene.surfaces) {
+    if (!surface.contours.empty()) widest = std::max(widest, contour_width_of(surface, size));
+  }
+  return widest;
+}
+
+double widest_line(const Scene& scene, const dvec2& size) {
+  double widest = widest_contour(scene, size);
   for (const SurfaceSpec& surface : scene.surfaces) {
     widest = std::max(widest, line_width_of(surface, size));
   }

@@ -1,6 +1,8 @@
 // Themes: backgrounds, lines, letters and materials that suit each other.
 #pragma once
 
+#include <optional>
+
 #include "base/vec.h"
 #include "scene/model/scene.h"
 
@@ -8,7 +10,8 @@ namespace saddle {
 
 struct ThemeLook {
   Color background;
-  Color lines;  ///< on surfaces
+  Color lines;     ///< of the grid on surfaces
+  Color contours;  ///< level lines
   Material front;
   Material back;
   dvec3 dark_ink;   ///< of letters and axes on a light background: red, green, blue
@@ -28,6 +31,9 @@ void change_theme(Scene& scene, Theme theme);
 /// Letters and axes on the scene's background: light on a dark one, dark on a light one.
 dvec3 ink_of(const Scene& scene);
 
+/// The colour around letters, the background's; none on a transparent one, for which nothing suits.
+std::optional<dvec3> rim_of_letters(const Scene& scene);
+
 /// Pixels of the lines in a picture of this size where nothing else is said: 1 in one of 800x600.
 /// Larger pictures have wider lines. Smaller ones do not have thinner lines, which would fade.
 double fit_line_width(const dvec2& size);
@@ -35,7 +41,15 @@ double fit_line_width(const dvec2& size);
 /// Pixels of the lines on a surface, or of the line or the dot across that it stands for.
 double line_width_of(const SurfaceSpec& surface, const dvec2& size);
 
-/// Pixels of the widest lines on surfaces.
+/// The look of level lines, by which they stand out from the grid: twice as wide, and in the
+/// theme's own colour unless the surface has another colour of lines than the theme.
+double contour_width_of(const SurfaceSpec& surface, const dvec2& size);
+const Color& contour_color_of(const SurfaceSpec& surface, Theme theme);
+
+/// Pixels of the widest level lines; 0 without any.
+double widest_contour(const Scene& scene, const dvec2& size);
+
+/// Pixels of the widest grid lines on surfaces.
 double widest_surface_line(const Scene& scene, const dvec2& size);
 
 /// Pixels of the widest lines of all, and of dots across.

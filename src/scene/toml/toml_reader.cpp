@@ -56,7 +56,13 @@ void TomlPlaces::check_keys(const std::string& subject, const TomlValue& value,
     if (std::ranges::find(known, entry.key) != known.end()) continue;
     std::string hint = "known keys:";
     for (const std::string& key : known) hint += " " + key;
-    if (const auto nearest = nearest_name(entry.key, known)) {
+    const auto has_key = [&](const KnownTable& table) {
+      return std::ranges::find(table.keys, entry.key) != table.keys.end();
+    };
+    const auto home = std::ranges::find_if(tables_, has_key);
+    if (home != tables_.end()) {
+      hint += "; '" + entry.key + "' belongs " + home->name;
+    } else if (const auto nearest = nearest_name(entry.key, known)) {
       hint += "; did you mean '" + *nearest + "'?";
     }
     throw error("", "unknown key '" + entry.key + "'", entry.key_span, hint);

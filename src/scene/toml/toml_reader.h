@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -17,7 +18,15 @@ namespace saddle {
 /// or a key.
 class TomlPlaces {
  public:
-  explicit TomlPlaces(const SourceText& text) : text_(text) {}
+  /// A table of scene files, as it is named in messages, with the keys that it may have.
+  struct KnownTable {
+    std::string name;
+    std::vector<std::string> keys;
+  };
+
+  /// `tables`: where an unknown key may belong, in the order in which they are tried.
+  explicit TomlPlaces(const SourceText& text, std::vector<KnownTable> tables = {})
+      : text_(text), tables_(std::move(tables)) {}
 
   Error error(const std::string& subject, const std::string& message, Span span,
               const Hint& hint = {}) const {
@@ -51,6 +60,7 @@ class TomlPlaces {
   Span inside(const Noted& noted, Span part) const;
 
   const SourceText& text_;
+  std::vector<KnownTable> tables_;
   std::multimap<std::string, Noted> places_;
 };
 

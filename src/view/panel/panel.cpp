@@ -8,6 +8,7 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
+#include "formula/syntax.h"
 #include "scene/model/assignments.h"
 #include "view/model/objects.h"
 #include "view/panel/facts.h"
@@ -59,15 +60,6 @@ bool header(const char* title, bool open = false) {
   return ImGui::CollapsingHeader(title, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
 }
 
-/// The name that an error says is unknown, if it could be that of a parameter.
-std::optional<std::string> missing_name(const Error& error) {
-  const Place& place = error.place();
-  if (!std::string_view(error.what()).starts_with("unknown name '")) return std::nullopt;
-  if (place.span.end > place.text.size() || place.span.begin >= place.span.end) return std::nullopt;
-  if (place.text.substr(place.span.end).starts_with('(')) return std::nullopt;  // a function
-  return place.text.substr(place.span.begin, place.span.end - place.span.begin);
-}
-
 void add_buttons(Desk& desk) {
   struct Button {
     const char* text;
@@ -93,7 +85,7 @@ void Panel::show_errors(Desk& desk) const {
   ImGui::SetCursorPosY(ImGui::GetWindowHeight() - height);
   ImGui::Separator();
   ImGui::BeginChild("##errors", {0, 0});
-  const auto name = missing_name(*error);
+  const auto name = undefined_name(*error);
   if (name && ImGui::SmallButton(("make a slider for " + *name).c_str())) {
     desk.edit("", [&](Scene& scene) { add_parameter(scene, *name); });
   }
