@@ -346,7 +346,7 @@ TEST_F(GraphCommand, ColoursBySomethingAndSaysWhatIsWrongWithIt) {
     const std::string message = error_of(small(options), 2);
     EXPECT_TRUE(contains(message, part)) << message;
   };
-  refused({"--color", "z+zz", "-o", "x.png"}, "color = z+zz\n            ^~");
+  refused({"--color", "z+zz", "-o", "x.png"}, "--color z+zz\n            ^~");
   refused({"--color", "", "-o", "x.png"}, "the value is empty");
   refused({"--color", "z", "--colormap", "jet", "-o", "x.png"}, "known: viridis");
   refused({"--colormap", "magma", "-o", "x.png"}, "nothing to colour");
