@@ -95,7 +95,8 @@ struct MeshResult {
   MeshReport report;
 };
 
-/// Counts a singular point and lists it, if the list is not full.
+/// Counts a singular point and lists it. An even choice of more than kMaxListed stays in the list,
+/// and all that have no limit of the normal.
 void add_singular_point(const dvec2& uv, MeshReport& report);
 /// The normal has no limit at the point that was added last.
 void mark_without_limit(MeshReport& report);

@@ -220,10 +220,10 @@ TEST(MeshResult, UsesAndReportsTheFaceNormalWhereThereIsNoLimit) {
   }
 }
 
-TEST(MeshResult, ListsAThousandSingularPointsAndCountsAll) {
+TEST(MeshResult, ListsAtMostAThousandSingularPointsAndCountsAll) {
   const MeshResult result = mesh_on_grid(sphere(), cells(700, 2));
   EXPECT_EQ(result.report.singular_point_count, 2U * 701);
-  EXPECT_EQ(result.report.singular_points.size(), 1000U);
+  EXPECT_EQ(result.report.singular_points.size(), 701U);  // every second
 }
 
 TEST(MeshResult, LeavesOutAndCountsUndefinedCells) {
