@@ -32,12 +32,12 @@ Program& LineDrawer::program() {
   return *program_;
 }
 
-Program& LineDrawer::contour_program() {
-  if (!contour_program_) {
-    contour_program_.emplace(std::string(shader_source("stroke.vert.glsl")),
-                             std::string(shader_source("stroke.frag.glsl")));
+Program& LineDrawer::stroke_program() {
+  if (!stroke_program_) {
+    stroke_program_.emplace(std::string(shader_source("stroke.vert.glsl")),
+                            std::string(shader_source("stroke.frag.glsl")));
   }
-  return *contour_program_;
+  return *stroke_program_;
 }
 
 void LineDrawer::draw_lines(const Scene& scene, std::span<const PlacedMesh> items,
@@ -61,18 +61,19 @@ void LineDrawer::draw_lines(const Scene& scene, std::span<const PlacedMesh> item
 void LineDrawer::draw_contours(const Scene& scene, std::span<const PlacedMesh> items,
                                std::span<const GpuMesh> meshes, const Viewport& viewport) {
   const dvec2 half_samples = dvec2(viewport.samples_across(), viewport.samples_down()) / 2.0;
-  contour_program().use();
+  Program& program = stroke_program();
+  program.use();
   glEnable(GL_DEPTH_CLAMP);  // they may stand out of the box that holds the triangles
   for (const PlacedMesh& item : items) {
     const SurfaceSpec& surface = scene.surfaces[item.surface];
     const GpuMesh& mesh = meshes[item.surface];
     if (!mesh.has_contours()) continue;
     const Color& color = contour_color_of(surface, scene.theme);
-    contour_program().set("line_color", dvec3(color.r, color.g, color.b));
+    program.set("line_color", dvec3(color.r, color.g, color.b));
     const double width = contour_width_of(surface, viewport.size()) * viewport.per_side;
-    contour_program().set("half_size", dvec3(half_samples, width / 2));
-    contour_program().set("model_to_clip", item.model_to_clip);
-    contour_program().check_all_set();
+    program.set("half_size", dvec3(half_samples, width / 2));
+    program.set("model_to_clip", item.model_to_clip);
+    program.check_all_set();
     mesh.draw_contours();
   }
   glDisable(GL_DEPTH_CLAMP);

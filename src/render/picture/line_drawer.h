@@ -32,14 +32,14 @@ class LineDrawer {
 
   /// Draws lines of one colour, its uniform "line_color".
   Program& program();
+  /// Draws strokes of one colour: "line_color"; "half_size" is of the target and their width.
+  Program& stroke_program();
   /// The driver has drawn lines thinner than they should be.
   bool has_thinner_lines() const { return has_thinner_lines_; }
 
  private:
-  Program& contour_program();
-
   std::optional<Program> program_;
-  std::optional<Program> contour_program_;
+  std::optional<Program> stroke_program_;
   bool has_thinner_lines_ = false;
 };
 

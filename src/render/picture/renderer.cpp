@@ -131,10 +131,11 @@ bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
 
   LineWidths widths;
   widths.grid = samples_across(widest_surface_line(scene, viewport.size()), viewport);
-  // Contours are half a pixel beside the mesh.
-  widths.widest = has_contours()
-                      ? samples_across(widest_contour(scene, viewport.size()) + 1, viewport)
-                      : widths.grid;
+  widths.widest = widths.grid;
+  if (has_contours()) {  // they are half a pixel beside the mesh
+    const double contours = widest_contour(scene, viewport.size()) + 1;
+    widths.widest = std::max(widths.grid, samples_across(contours, viewport));
+  }
   glViewport(0, 0, viewport.samples_across(), viewport.samples_down());
   std::vector<PlacedMesh> hiding;
   std::vector<PlacedMesh> see_through;
@@ -161,7 +162,10 @@ bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     if (!look.bare) {
       if (look.lines) line_drawer_.draw_lines(scene, items, meshes_, viewport);
       if (has_contours()) line_drawer_.draw_contours(scene, items, meshes_, viewport);
-      stroke_drawer_.draw(scene, meshes_, {camera, viewport, unit});
+      if (stroke_drawer_.has_strokes()) {
+        stroke_drawer_.draw(scene, meshes_, {camera, viewport, unit},
+                            line_drawer_.stroke_program());
+      }
     }
     if (marks_) {
       PlacedMesh item({}, *marks_, camera, unit);

@@ -1,13 +1,11 @@
 #include "render/picture/stroke_drawer.h"
 
 #include <algorithm>
-#include <string>
 
 #include <glm/geometric.hpp>
 
 #include "render/picture/placed_mesh.h"
 #include "render/picture/tiles.h"
-#include "render/shading/shaders.h"
 #include "scene/model/instances.h"
 #include "scene/model/strokes.h"
 #include "scene/model/theme.h"
@@ -54,7 +52,8 @@ bool StrokeDrawer::has_strokes() const {
   return std::ranges::any_of(strokes_, [](const auto& strokes) { return strokes.has_value(); });
 }
 
-void StrokeDrawer::draw(const Scene& scene, std::span<const GpuMesh> meshes, const Screen& screen) {
+void StrokeDrawer::draw(const Scene& scene, std::span<const GpuMesh> meshes, const Screen& screen,
+                        Program& program) {
   const auto& [camera, viewport, unit] = screen;
   const double n = viewport.per_side;
   const PixelRect& rect = viewport.rect;
@@ -63,10 +62,6 @@ void StrokeDrawer::draw(const Scene& scene, std::span<const GpuMesh> meshes, con
     const auto& strokes = strokes_[instance.surface];
     const SurfaceSpec& surface = scene.surfaces[instance.surface];
     if (!strokes || !surface.is_stroke()) continue;
-    if (!program_) {
-      program_.emplace(std::string(shader_source("stroke.vert.glsl")),
-                       std::string(shader_source("stroke.frag.glsl")));
-    }
     const double half_width =
         line_width_of(surface, dvec2(scene.picture.width, scene.picture.height)) / 2;
     const FittedCamera nearer =
@@ -74,14 +69,14 @@ void StrokeDrawer::draw(const Scene& scene, std::span<const GpuMesh> meshes, con
                       (kHalfWidthsNearer * half_width + kPixelsNearer) * 2 / viewport.height);
     const PlacedMesh item(instance, meshes[instance.surface], nearer, unit);
     if (!item.is_visible()) continue;
-    program_->use();
-    program_->set(
+    program.use();
+    program.set(
         "model_to_clip",
         clip_to_rect(viewport.width, viewport.height, rect, viewport.margin) * item.model_to_clip);
-    program_->set("half_size", dvec3(samples / 2.0, n * half_width));
+    program.set("half_size", dvec3(samples / 2.0, n * half_width));
     const Color& color = surface.line_color;
-    program_->set("line_color", dvec3(color.r, color.g, color.b));
-    program_->check_all_set();
+    program.set("line_color", dvec3(color.r, color.g, color.b));
+    program.check_all_set();
     glEnable(GL_DEPTH_CLAMP);  // the camera's near plane may touch them
     strokes->draw();
     glDisable(GL_DEPTH_CLAMP);

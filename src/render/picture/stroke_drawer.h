@@ -33,7 +33,9 @@ class StrokeDrawer {
   };
 
   /// Draws all lines and dots of a resolved scene where its nodes have them.
-  void draw(const Scene& scene, std::span<const GpuMesh> meshes, const Screen& screen);
+  /// `program`: LineDrawer::stroke_program().
+  void draw(const Scene& scene, std::span<const GpuMesh> meshes, const Screen& screen,
+            Program& program);
 
   /// The labels in a picture of this size.
   std::vector<SpaceLabel> labels(const Scene& scene, const FittedCamera& camera,
@@ -42,7 +44,6 @@ class StrokeDrawer {
  private:
   std::vector<std::optional<GpuStrokes>> strokes_;  // of meshes without triangles
   std::vector<std::optional<dvec3>> anchors_;       // of each mesh
-  std::optional<Program> program_;
 };
 
 }  // namespace saddle
