@@ -22,6 +22,15 @@ int differing_pixels(const Image& a, const Image& b) {
   return count;
 }
 
+/// The scene of see-through surfaces in a picture of this size.
+ViewerSetup see_through(int width, int height) {
+  ViewerSetup setup;
+  setup.scene = load_scene(source_folder() + "/examples/see-through.toml");
+  setup.scene.picture.width = width;
+  setup.scene.picture.height = height;
+  return setup;
+}
+
 TEST_F(Workplace, IsLightWhereItsSceneIs) {
   open({"z=u*v"});
   const auto brightness = [&] { return int{screenshot().pixel(200, 590)[0]}; };
@@ -70,12 +79,7 @@ TEST_F(Workplace, TellsTheTimeOfWhatMovesAlone) {
 }
 
 TEST_F(Workplace, RefinesAPictureThatRestsPartByPart) {
-  Scene scene = load_scene(source_folder() + "/examples/see-through.toml");
-  scene.picture.width = 640;
-  scene.picture.height = 360;
-  ViewerSetup setup;
-  setup.scene = scene;
-  Viewer viewer(std::move(setup));
+  Viewer viewer(see_through(640, 360));
   int steps = 0;
   ASSERT_TRUE(until(viewer, [&] { return ++steps > 0 && viewer.is_at_rest(); }));
   const Image shown = viewer.drawing().read();
@@ -91,12 +95,7 @@ TEST_F(Workplace, RefinesAPictureThatRestsPartByPart) {
 }
 
 TEST_F(Workplace, AnswersKeysBetweenParts) {
-  Scene scene = load_scene(source_folder() + "/examples/see-through.toml");
-  scene.picture.width = 800;
-  scene.picture.height = 600;
-  ViewerSetup setup;
-  setup.scene = scene;
-  Viewer viewer(std::move(setup));
+  Viewer viewer(see_through(800, 600));
   ASSERT_TRUE(rests(viewer));
   type(viewer, "g");  // another picture
   // It is refined after a while, and a key comes meanwhile.

@@ -134,16 +134,15 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   std::ranges::stable_sort(suspects, std::ranges::greater(), &SearchedLeaf::error);
   for (const SearchedLeaf& leaf : suspects.first(std::min(shared(kFollowed), suspects.size())))
     parts.push_back(leaf.part);
-  // Without time the worst suspects are measured, and the others left.
-  const auto has_time = [&surface] { return surface.may_go_on(); };
-  if (has_time()) features.dive(parts);
-  const PlacedError followed = features.search(has_time() ? shared(kMostBoxes) : 0);
+  // Without time or points the worst suspects are measured, and the others left.
+  if (surface.may_go_on()) features.dive(parts);
+  const PlacedError followed = features.search(surface.may_go_on() ? shared(kMostBoxes) : 0);
   ErrorSearch search(box_of(surface.domain), tolerance, whole(), followed);
-  const std::size_t at_once = has_time() ? kInBatch : kClimbed;
+  const std::size_t at_once = surface.may_go_on() ? kInBatch : kClimbed;
   for (std::size_t next = 0;
        next < suspects.size() && suspects[next].error > search.worst().distance; next += at_once) {
     search.measure(suspects.subspan(next, std::min(at_once, suspects.size() - next)));
-    if (!has_time()) return search.worst();
+    if (!surface.may_go_on()) return search.worst();
   }
   search.climb();
   for (const SearchedLeaf& leaf : suspects) search.measure_triangles(leaf.part);

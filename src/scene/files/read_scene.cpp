@@ -307,15 +307,17 @@ void check_scene(const TomlReader& reader, const Scene& scene) {
 }
 
 /// Where keys belong: a key of several tables to the first.
-std::vector<TomlPlaces::KnownTable> known_tables() {
-  return {{"below [[surface]]", keys_of(Table::Surface)},
-          {"above all tables", keys_of(Table::Scene)},
-          {"below [camera]", keys_of(Table::Camera)},
-          {"below [animation]", keys_of(Table::Animation)},
-          {"below [[curve]]", stroke_keys(Table::Curve)},
-          {"below [[point]]", stroke_keys(Table::Point)},
-          {"below [[light]]", light_keys()},
-          {"below [[node]]", {"transform"}}};
+std::span<const TomlPlaces::KnownTable> known_tables() {
+  static const std::vector<TomlPlaces::KnownTable> tables = {
+      {"below [[surface]]", keys_of(Table::Surface)},
+      {"above all tables", keys_of(Table::Scene)},
+      {"below [camera]", keys_of(Table::Camera)},
+      {"below [animation]", keys_of(Table::Animation)},
+      {"below [[curve]]", stroke_keys(Table::Curve)},
+      {"below [[point]]", stroke_keys(Table::Point)},
+      {"below [[light]]", light_keys()},
+      {"below [[node]]", {"transform"}}};
+  return tables;
 }
 
 Scene read(const SourceText& source, const std::optional<Theme>& theme, bool is_draft) {

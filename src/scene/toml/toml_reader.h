@@ -4,8 +4,8 @@
 
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -25,8 +25,8 @@ class TomlPlaces {
   };
 
   /// `tables`: where an unknown key may belong, in the order in which they are tried.
-  explicit TomlPlaces(const SourceText& text, std::vector<KnownTable> tables = {})
-      : text_(text), tables_(std::move(tables)) {}
+  explicit TomlPlaces(const SourceText& text, std::span<const KnownTable> tables = {})
+      : text_(text), tables_(tables) {}
 
   Error error(const std::string& subject, const std::string& message, Span span,
               const Hint& hint = {}) const {
@@ -60,7 +60,7 @@ class TomlPlaces {
   Span inside(const Noted& noted, Span part) const;
 
   const SourceText& text_;
-  std::vector<KnownTable> tables_;
+  std::span<const KnownTable> tables_;
   std::multimap<std::string, Noted> places_;
 };
 
