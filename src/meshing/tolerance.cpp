@@ -22,11 +22,9 @@ constexpr std::size_t kMostTriangles = 4'000'000;
 constexpr std::size_t kEnoughTriangles = 1'000'000;
 /// The triangles of several surfaces together. Each has the same share, but at least that of a
 /// small one. The share bounds the work, too: 20 microseconds for a triangle with its checks and
-/// drawing.
+/// drawing. Effort that does not depend on triangles is no more than all of these may take.
 constexpr std::size_t kMostOfSeveral = 2'500'000;
 constexpr std::size_t kLeastOfSeveral = 300;
-/// The effort of all surfaces together that does not depend on triangles: ten seconds.
-constexpr std::size_t kLeastEffortOfAll = 20'000'000;
 /// A mesh takes 1 kB for each triangle when it is finished, and twice as much is left for the steps
 /// of the heap's growth and for the picture or file that is made of it.
 constexpr std::uint64_t kBytesPerTriangle = 3000;
@@ -284,8 +282,8 @@ Shortage shortage_of_triangles(const Scene& scene, const SurfaceSpec& spec) {
 }
 
 std::size_t least_effort(const Scene& scene) {
-  return std::min(kLeastEffort,
-                  kLeastEffortOfAll / std::max<std::size_t>(scene.surfaces.size(), 1));
+  return std::min(kLeastEffort, kPlacesPerTriangle * kMostOfSeveral /
+                                    std::max<std::size_t>(scene.surfaces.size(), 1));
 }
 
 }  // namespace saddle

@@ -20,8 +20,6 @@ constexpr double kArrived = 1.0 / (1 << kHalvingsOfSecondOrder);
 /// The surface is not upright if 12 halvings shorten a line's image to 1/512. The image of a root
 /// shortens to 1/64, that of a crease with finite slopes to little more than kArrived.
 constexpr double kPlainShare = 1.0 / 512;
-/// Steps to the nearest point.
-constexpr int kNearestSteps = 12;
 
 dvec3 area_of(const SurfacePoint& p) {
   return glm::cross(p.r_u, p.r_v);
@@ -130,7 +128,7 @@ std::vector<double> distances_from(std::span<const dvec2> places, const Surface&
     descents.push_back({place, {}, std::numeric_limits<double>::infinity()});
   }
   std::vector<dvec2> uv(places.begin(), places.end());
-  for (int round = 0; round <= kNearestSteps && !active.empty(); ++round) {
+  for (int round = 0; round <= kHalvingsOfSecondOrder && !active.empty(); ++round) {
     const std::vector<SurfacePoint> there = evaluate(surface, uv, threads);
     for (std::size_t i = 0; i < active.size(); ++i) {
       arrive(uv[i], there[i], chords[active[i]].middle(), descents[active[i]]);

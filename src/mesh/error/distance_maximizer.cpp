@@ -2,14 +2,16 @@
 
 #include <algorithm>
 
+#include "mesh/model/tolerances.h"
+
 namespace saddle {
 
 namespace {
 
-/// A predicted distance is evaluated above the tolerance, or above 0.95 of it and 1.02 times the
-/// error estimate. On a smooth surface, prediction and estimate are right to a few per cent.
+/// A predicted distance is evaluated above the tolerance, or above 0.95 of it where it matters
+/// beside the error estimate. On a smooth surface, prediction and estimate are right to a few per
+/// cent.
 constexpr double kLeastShare = 0.95;
-constexpr double kMoreThanKnown = 1.02;
 /// Evaluations of a place at most; the first is where the climb starts.
 constexpr int kMostSteps = 5;
 
@@ -17,7 +19,7 @@ constexpr int kMostSteps = 5;
 
 bool may_be_missed(const ValidatedMesh& mesh, std::size_t leaf, double predicted) {
   const double known = mesh.leaves[leaf].known_error;
-  const double share = std::clamp(kMoreThanKnown * known, kLeastShare, 1.0);
+  const double share = std::clamp(kMatters * known, kLeastShare, 1.0);
   return mesh.error_ratio(leaf) <= 1 && predicted > share * mesh.allowed[leaf];
 }
 

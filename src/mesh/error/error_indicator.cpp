@@ -21,10 +21,6 @@ namespace saddle {
 
 namespace {
 
-/// A leaf on the boundary over 32 times as long as wide, in cells of the root grid, is halved along
-/// its length: its error is that of a chord, not of the boundary's place.
-constexpr std::uint32_t kSlender = 32;
-
 /// The ball around the first of some points that holds the others. Points that are not finite are
 /// skipped.
 class Ball {
@@ -268,6 +264,7 @@ bool ErrorIndicator::splits_boundary_u(const Leaf& leaf) const {
                       changes(corner[1], side[1], corner[2]);
   const std::uint32_t u = leaf.size_u();
   const std::uint32_t v = leaf.size_v();
+  // The error of a slender one is that of a chord, not of the boundary's place.
   const bool is_slender = std::max(u, v) > kSlender * std::min(u, v);
   return along_u == along_v || is_slender ? u >= v : along_u > along_v;
 }

@@ -18,6 +18,9 @@ namespace saddle {
 /// sheets meet at a point, normals turn however often a leaf is halved; at the shoulder of a front
 /// they turn within less than a pixel.
 inline constexpr double kSeenTurn = 2;
+/// In root cells: a leaf that a feature cuts is slender if it is 32 times as long as wide. Halvings
+/// have found the place of the feature by then.
+inline constexpr std::uint32_t kSlender = 32;
 
 /// The angle between normals without their signs. Across a cusp the normal jumps to its opposite
 /// while the tangent plane is continuous; halving does not reduce that angle.
@@ -38,11 +41,10 @@ struct CellLimits {
 };
 
 /// The limit for halvings that reduce the error of normals alone: 250,000 triangles, about half the
-/// pixels of an 800 x 600 picture, or 1/16 of the limit if that is more.
+/// pixels of an 800 x 600 picture.
 inline TriangleLimit limit_for_normals(const TriangleLimit& limit) {
   constexpr std::size_t kEnough = 250'000;
-  constexpr std::size_t kShare = 16;
-  return {std::min(limit.triangles, std::max(kEnough, limit.triangles / kShare)), limit.is_refined};
+  return {std::min(limit.triangles, kEnough), limit.is_refined};
 }
 
 }  // namespace saddle

@@ -22,18 +22,16 @@ constexpr std::size_t kFirstSearched = 8;
 constexpr double kMostGrowth = 16;
 constexpr std::size_t kFew = 4;
 
-/// The half-width of a feature is looked for at 2^-1 to 2^-24 of a part, to both sides.
-constexpr int kWidths = 24;
-
-/// The distances from the top of a feature, along u and along v, at which its height is halved.
+/// The distances from the top of a feature, along u and along v, at which its height is halved:
+/// they are looked for at 1/2 to 1e-6 of the part's sides, each way.
 dvec2 half_widths(const Surface& surface, const FeatureSearch::Distance& distance,
                   const SearchedPart& part, const PlacedError& top) {
   const dvec2 size = part.box.size();
   std::vector<dvec2> uv;
   for (int axis = 0; axis < 2; ++axis) {
     dvec2 step(0);
-    for (step[axis] = 0.5 * size[axis]; uv.size() < std::size_t{2 * kWidths} * (axis == 0 ? 1 : 2);
-         step *= 0.5) {
+    for (step[axis] = 0.5 * size[axis];
+         uv.size() < std::size_t{2 * kHalvingsToNearly} * (axis == 0 ? 1 : 2); step *= 0.5) {
       uv.push_back(top.uv - step);
       uv.push_back(top.uv + step);
     }
@@ -41,7 +39,7 @@ dvec2 half_widths(const Surface& surface, const FeatureSearch::Distance& distanc
   const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
   dvec2 widths = size;
   for (std::size_t k = 0; k < uv.size(); ++k) {
-    const int axis = k < std::size_t{2 * kWidths} ? 0 : 1;
+    const int axis = k < std::size_t{2 * kHalvingsToNearly} ? 0 : 1;
     const double height = part.scale * distance(part, uv[k], points[k].position, 0);
     if (height < 0.5 * top.distance)
       widths[axis] = std::min(widths[axis], std::fabs(uv[k][axis] - top.uv[axis]));

@@ -167,11 +167,12 @@ std::vector<std::optional<LeafError>> validate_many(const Surface& surface, cons
   const auto corners = [&](const TwoTriangles& leaf) { return corners_of(leaf, grid.mirrored); };
   const auto place = [&](const TwoTriangles& leaf, std::size_t i, Columns& columns) {
     const bool turned = grid.mesh.uv[corners(leaf)[0]] != leaf.low;
-    for (std::size_t s = 0; s < kPlacesInLeaf; ++s) {
+    for (std::size_t s = 0; s < leaf.places.size(); ++s) {
       columns.set_place(s, i, leaf.places[s], turned);
     }
   };
-  return BatchedLoops{surface, grid, threads}.measure(leaves, kPlacesInLeaf, uv, corners, place);
+  return BatchedLoops{surface, grid, threads}.measure(leaves, std::tuple_size_v<PlacesInLeaf>, uv,
+                                                      corners, place);
 }
 
 std::vector<std::optional<LeafError>> validate_places(const Surface& surface, const Grid& grid,

@@ -12,8 +12,7 @@
 namespace saddle {
 
 /// Places in a leaf, in sides of the leaf from its low corner.
-inline constexpr std::size_t kPlacesInLeaf = 4;
-using PlacesInLeaf = std::array<dvec2, kPlacesInLeaf>;
+using PlacesInLeaf = std::array<dvec2, 4>;
 
 /// A leaf that is cut into two triangles along one of its diagonals.
 struct TwoTriangles {

@@ -120,7 +120,7 @@ std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
   const auto validate = [&] {
     if (!surface_.may_go_on()) plain.clear();  // those that are left have no sampled errors
     const auto sampled_errors = validate_many(surface_, grid_, plain, threads_);
-    evaluations_ += kPlacesInLeaf * plain.size();
+    evaluations_ += std::tuple_size_v<PlacesInLeaf> * plain.size();
     for (std::size_t i = 0; i < plain.size(); ++i) {
       const std::size_t number = numbers[i];
       const std::size_t leaf = which[number];

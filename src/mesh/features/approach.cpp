@@ -32,13 +32,13 @@ constexpr std::size_t kMostGaps = 2;
 /// A factor for kApproach on a short line: its nearest place is then 256 doubles from the end.
 double widening(const Line& line) {
   constexpr double kDigits = 256 * std::numeric_limits<double>::epsilon();
-  constexpr double kMost = 0.5 / kApproach.front();
   const dvec2 way = glm::abs(line[1] - line[0]);
   const dvec2 end = glm::abs(line[0]);
   const double length = std::max(way.x, way.y);
   const double place = way.x > way.y ? end.x : end.y;
   if (!(length > 0)) return 1;
-  return std::clamp(kDigits * place / (kApproach.back() * length), 1.0, kMost);
+  const double most = 0.5 / kApproach.front();  // the farthest place is the middle of the line
+  return std::clamp(kDigits * place / (kApproach.back() * length), 1.0, most);
 }
 
 /// Whether the first moves grow as beside a pole.

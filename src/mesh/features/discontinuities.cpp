@@ -149,18 +149,18 @@ std::vector<LocatedDiscontinuity> look_at(const Surface& surface, std::span<cons
 std::vector<LinePart> steps_beside(const Surface& surface, std::span<const Line> lines,
                                    std::span<const LocatedDiscontinuity> found, double delta,
                                    unsigned threads, std::size_t& work) {
-  constexpr int kPlaces = 16;
   constexpr double kNearer = 0.25;
+  std::vector<double> shares = {1};  // of the way from the jump
+  while (shares.back() > kSame) shares.push_back(kNearer * shares.back());
+  shares.push_back(0);
   std::vector<std::size_t> numbers;
   std::vector<dvec2> uv;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     if (found[k].kind != Discontinuity::Jump) continue;
     for (std::size_t end = 0; end < 2; ++end) {
       numbers.push_back(k);
-      double share = 1;
-      for (int i = 0; i < kPlaces; ++i, share *= kNearer)
+      for (const double share : shares)
         uv.push_back(glm::mix(found[k].ends[end], lines[k][end], share));
-      uv.push_back(found[k].ends[end]);
     }
   }
   const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
@@ -168,8 +168,8 @@ std::vector<LinePart> steps_beside(const Surface& surface, std::span<const Line>
   std::vector<LinePart> parts;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const bool is_first = i % 2 == 0;
-    const std::size_t first = i * (kPlaces + 1);
-    for (std::size_t j = first; j < first + kPlaces; ++j) {
+    const std::size_t first = i * shares.size();
+    for (std::size_t j = first; j + 1 < first + shares.size(); ++j) {
       const dvec2 way = uv[j + 1] - uv[j];
       const auto slope = [&](const SurfacePoint& p) { return way.x * p.r_u + way.y * p.r_v; };
       const dvec3 step = points[j + 1].position - points[j].position;
@@ -264,8 +264,8 @@ std::vector<std::vector<Line>> find_all_jumps(const Surface& surface, std::span<
   std::vector<std::size_t> numbers;  // of the lines of parts that were not searched
   std::vector<Line> parts;
   const auto split = [&](std::size_t k, const Line& part, const LocatedDiscontinuity& at) {
-    if (at.kind != Discontinuity::Jump || jumps[k].size() == kMostCloseJumps) {
-      jumps[k].assign(kMostCloseJumps + 1, at.ends);
+    if (at.kind != Discontinuity::Jump || jumps[k].size() == kMostLineParts) {
+      jumps[k].assign(kMostLineParts + 1, at.ends);
       return;
     }
     jumps[k].push_back(at.ends);
@@ -281,12 +281,12 @@ std::vector<std::vector<Line>> find_all_jumps(const Surface& surface, std::span<
     const auto searched = std::exchange(parts, {});
     const auto more = find_discontinuities(surface, searched, delta, threads, work);
     for (std::size_t i = 0; i < searched.size(); ++i) {
-      const bool is_given_up = jumps[of[i]].size() > kMostCloseJumps;
+      const bool is_given_up = jumps[of[i]].size() > kMostLineParts;
       if (more[i].kind != Discontinuity::None && !is_given_up) split(of[i], searched[i], more[i]);
     }
   }
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    if (jumps[k].size() > kMostCloseJumps) jumps[k].clear();
+    if (jumps[k].size() > kMostLineParts) jumps[k].clear();
     std::ranges::sort(jumps[k], {},
                       [&](const Line& jump) { return glm::distance(lines[k][0], jump[0]); });
   }

@@ -22,8 +22,7 @@ std::vector<LocatedDiscontinuity> find_discontinuities(const Surface& surface,
                                                        unsigned threads, std::size_t& work);
 
 /// All jumps of lines on which find_discontinuities() found more than one, in the order of the
-/// line. None for a line that leads to a pole or has more than kMostCloseJumps.
-inline constexpr std::size_t kMostCloseJumps = 8;
+/// line. None for a line that leads to a pole or has more than kMostLineParts.
 std::vector<std::vector<Line>> find_all_jumps(const Surface& surface, std::span<const Line> lines,
                                               std::span<const LocatedDiscontinuity> found,
                                               double delta, unsigned threads, std::size_t& work);

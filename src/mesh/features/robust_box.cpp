@@ -30,8 +30,8 @@ constexpr double kApart = 1.0 / 16;
 /// Windows that are tried: they begin or end at every 256th part of the points, and so move by less
 /// than a tail.
 constexpr std::size_t kTries = 256;
-/// Lines each way, through the middles of even stretches of a domain. A tail of one line is six
-/// points.
+/// Lines each way, through the middles of even stretches of a domain, and points of a rough box. A
+/// tail of one line is six points.
 constexpr std::size_t kLines = 128;
 
 /// An interval on a line.
@@ -128,9 +128,8 @@ Bounds robust_box(std::span<const dvec3> points, const dvec3& longest) {
 }
 
 Bounds rough_box(std::span<const dvec3> points) {
-  constexpr std::size_t kEnough = 100;
   std::vector<dvec3> some;
-  const std::size_t count = std::min(points.size(), kEnough);
+  const std::size_t count = std::min(points.size(), kLines);
   some.reserve(count);
   for (std::size_t k = 0; k < count; ++k) some.push_back(points[k * points.size() / count]);
   return robust_box(some);

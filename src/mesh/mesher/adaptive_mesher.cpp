@@ -34,8 +34,6 @@ constexpr int kFeaturePeriod = 4;
 /// The share of the triangles that the first subdivision may take: 7/8. The rest is for errors that
 /// only validation finds, as of waves that fit into a cell.
 constexpr double kFirst = 0.875;
-/// Leaves whose inner vertices are solved for together, between looks at the budget.
-constexpr std::size_t kSolvedAtATime = 256;
 
 /// Which of the grid's lines are drawn, so that their chords are visible.
 std::vector<std::uint8_t> seen_lines(std::span<const double> lines, std::span<const double> drawn) {
@@ -265,7 +263,7 @@ void AdaptiveMesher::place_inner_vertices(std::size_t first) {
   }
   for (std::span<const std::size_t> rest = which; !rest.empty();) {
     if (is_refined() && tree_.budget().is_full(limits_.triangles)) return;
-    const auto some = rest.first(std::min(rest.size(), kSolvedAtATime));
+    const auto some = rest.first(std::min(rest.size(), kInBatch));
     validation_.validate_again(solve_inner_vertices(some, limits_, mesh_, tree_));
     rest = rest.subspan(some.size());
   }

@@ -21,10 +21,6 @@ namespace saddle {
 
 namespace {
 
-/// A uniform grid is halved again after one halving that did not help: it may have been too coarse
-/// to sample its own error. After two it is not.
-constexpr std::uint8_t kMostStagnation = 2;
-
 /// Indices of the mesh lines nearest to `lines` evenly spaced lines, each once.
 std::vector<std::size_t> nearest_mesh_lines(int lines, std::size_t cells) {
   std::vector<std::size_t> indices;
@@ -73,7 +69,7 @@ MeshResult mesh_uniformly(const Surface& surface, const UniformRequest& request)
   };
   double ratio = error_ratio();
   std::uint8_t stagnation = 0;
-  while (ratio > 1 && stagnation < kMostStagnation && surface.may_go_on() &&
+  while (ratio > 1 && stagnation < kInVain && surface.may_go_on() &&
          2 * std::max(grid.cells_u, grid.cells_v) <= kMostGridCells) {
     grid.cells_u *= 2;
     grid.cells_v *= 2;

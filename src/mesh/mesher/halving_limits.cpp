@@ -10,9 +10,6 @@ namespace saddle {
 
 namespace {
 
-/// The sides of a leaf are searched after every 2 consecutive halvings that did not reduce its
-/// error. A single halving in the wrong direction does not help either.
-constexpr std::uint8_t kSearchPeriod = 2;
 /// Halvings that follow a boundary, at most: 24 reach a corner of two boundaries with vertical
 /// tangents. Boundaries that meet at a pole or a clip face end at kMostCutHalvings.
 constexpr int kMostBoundaryHalvings = 24;
@@ -40,7 +37,7 @@ int wanted_halvings(const FeatureCount& features) {
 
 bool is_search_due(const Leaf& leaf) {
   const auto is_due = [](std::uint8_t stagnation) {
-    return stagnation > 0 && stagnation % kSearchPeriod == 0;
+    return stagnation > 0 && stagnation % kInVain == 0;
   };
   return leaf.state.is_cut_by_feature() || is_due(leaf.stagnation) ||
          is_due(leaf.normal_stagnation);

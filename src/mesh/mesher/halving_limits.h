@@ -17,6 +17,9 @@ struct FeatureCount;
 /// A halving helps if the error ratio falls to at most 0.8 of the parent's: a smooth arc falls to
 /// 0.25, a kink to 0.5, a vertical tangent to 0.71.
 inline constexpr double kHelps = 0.8;
+/// So many halvings in a row that do not help are no chance: one may go in the wrong direction, or
+/// the parent was too large to sample its own error. The sides of a leaf are searched after each 2.
+inline constexpr std::uint8_t kInVain = 2;
 /// An error above tolerance no longer halves a leaf once more than 12 consecutive halvings did not
 /// help. Normals turn at any size around a point where sheets meet; 12 halvings make it invisible.
 inline constexpr std::uint8_t kMaxStagnation = 12;

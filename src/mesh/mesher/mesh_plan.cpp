@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 
 #include "mesh/features/nonsmooth_points.h"
+#include "mesh/mesher/oscillation.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/sizing/grid_sizing.h"
@@ -19,15 +20,10 @@ namespace {
 
 /// Meshing aims at 0.98 of the tolerance: samples miss part of the largest distance.
 constexpr double kAim = 0.98;
-/// A root grid has at most 0.28 lines each way over the tolerance as a share of the diagonal: its
-/// narrowest cells are about as wide as the narrow leaves of an Oscillation.
-constexpr double kMostRootLines = 0.28;
-
-/// Too many lines become fewer in steps: the tolerance that they are placed for grows by 1.25; by
-/// 4, which halves their number, while lines or cells are more than twice too many. A surface like
-/// sin(1e15*u) would take 1e15 lines.
+/// Too many lines become fewer in steps: the tolerance that they are placed for grows by as many
+/// times as there are too many lines or cells, and by 1.25 at least. Lines need its square, and
+/// sin(1e15*u) would take 1e15 of them.
 constexpr double kCoarser = 1.25;
-constexpr double kMuchCoarser = 4;
 
 FixedLines drawn_lines(const Domain& domain, const MeshRequest& request) {
   const auto lines = [](double first, double last, int count) {
@@ -63,14 +59,15 @@ void place_root_lines(const MeshRequest& request, MeshPlan& plan) {
     plan.lines = place_lines(plan.probe, plan.fixed, plan.sizing, 1 / std::sqrt(factor));
   };
   place(1);
-  const double most = std::max(kMostRootLines / share_of_diagonal(plan),
+  // Cells of a root grid are no narrower than the narrow leaves of an Oscillation.
+  const double most = std::max(1 / (kNarrow * share_of_diagonal(plan)),
                                static_cast<double>(plan.fixed.u.size() + plan.fixed.v.size()));
   // Places the lines for ever larger tolerances while there are too many by this factor. Returns
   // by how much the tolerance grew.
   const auto place_fewer = [&](double factor, const auto& excess) {
     const double first = factor;
     for (double times; (times = excess()) > 1 && std::isfinite(factor); place(factor))
-      factor *= times > 2 ? kMuchCoarser : kCoarser;
+      factor *= std::max(times, kCoarser);
     return factor / first;
   };
   const double coarser = place_fewer(1, [&] {

@@ -12,9 +12,6 @@ namespace saddle {
 
 namespace {
 
-/// A leaf of up to 4 tolerances, or two pixels, is narrow: no wave in it is visible. The image of
-/// a parameter range is taken to be as long as the surface's diagonal.
-constexpr double kNarrow = 4;
 /// A leaf predicted to be unresolvable is narrow enough at 1.5 times the width of a narrow one:
 /// the narrowest cells of a root grid need no halving.
 constexpr double kPredictedWidth = 1.5;
@@ -35,9 +32,6 @@ constexpr double kMostOfOne = 0.25;
 /// An error at its centre does not tell a leaf's direction. One longer than 4 blocks is halved
 /// across before it is called unresolvable by that error: the error may be that of its length.
 constexpr double kLong = 4 * kBlockWidths;
-/// Leaves of at most 1/4 of a narrow one, a tolerance, are part of an oscillation also beside a
-/// block that one fills: waves beside a slanting line touch only the corners of some blocks.
-constexpr double kTiny = 0.25;
 
 /// The side of a block in units: a root cell, halved or doubled. `cells`: of the range.
 std::uint32_t block_size(std::size_t cells, double narrow) {
@@ -103,7 +97,9 @@ bool Oscillation::contains(const Leaf& leaf, const CellTree& tree) const {
   const std::uint32_t u = leaf.low.u / size_u_;
   const std::uint32_t v = leaf.low.v / size_v_;
   if (fills(u, v)) return true;
-  if (std::max(size.x, size.y) > kTiny) return false;
+  // Waves beside a slanting line touch only the corners of some blocks: leaves of at most a
+  // tolerance are part of an oscillation also beside a block that one fills.
+  if (std::max(size.x, size.y) > 1 / kNarrow) return false;
   // Numbers below 0 wrap around to blocks that there are not.
   return fills(u - 1, v) || fills(u + 1, v) || fills(u, v - 1) || fills(u, v + 1);
 }

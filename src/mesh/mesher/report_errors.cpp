@@ -32,9 +32,8 @@ constexpr std::size_t kSearchedPart = 16;
 constexpr std::ptrdiff_t kWaves = 16;
 /// The search climbs from the worst 16 leaves, with 160 evaluations each.
 constexpr std::size_t kClimbed = 16;
-/// Bounds are followed in up to 256 leaves of each kind, then over up to 8,192 boxes: or over the
-/// share of searches that the surface may have.
-constexpr std::size_t kFollowed = 256;
+/// Bounds are followed in up to kMostOpen leaves of each kind, then over up to 8,192 boxes: or over
+/// the share of searches that the surface may have.
 constexpr std::size_t kMostBoxes = 8192;
 
 /// A leaf that is searched for the largest error.
@@ -129,10 +128,10 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   const auto shared = [share](std::size_t most) {
     return static_cast<std::size_t>(std::ceil(share * static_cast<double>(most)));
   };
-  features.keep_widest(shared(kFollowed), suspects.empty() ? 0 : shared(kMostFollowed), parts);
+  features.keep_widest(shared(kMostOpen), suspects.empty() ? 0 : shared(kMostFollowed), parts);
   if (suspects.empty() && parts.empty()) return {};
   std::ranges::stable_sort(suspects, std::ranges::greater(), &SearchedLeaf::error);
-  for (const SearchedLeaf& leaf : suspects.first(std::min(shared(kFollowed), suspects.size())))
+  for (const SearchedLeaf& leaf : suspects.first(std::min(shared(kMostOpen), suspects.size())))
     parts.push_back(leaf.part);
   // Without time or points the worst suspects are measured, and the others left.
   if (surface.may_go_on()) features.dive(parts);

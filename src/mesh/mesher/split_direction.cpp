@@ -16,11 +16,9 @@ namespace {
 /// An error estimate below 0.5 tolerances says nothing about the direction of a sampled error.
 constexpr double kSignificant = 0.5;
 
-/// The width of a sliver, in root cells.
-constexpr double kSliver = 1.0 / 32;
-
+/// Whether a leaf is slender beside its root cell.
 bool is_sliver(const Leaf& leaf) {
-  return std::min(leaf.size_u(), leaf.size_v()) <= kSliver * kCellUnit;
+  return kSlender * std::min(leaf.size_u(), leaf.size_v()) <= kCellUnit;
 }
 
 bool covers_leaf(const Leaf& leaf, const CellTree& tree) {

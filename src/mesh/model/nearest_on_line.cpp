@@ -15,7 +15,7 @@ void NearestOnLine::add(double t, const dvec3& position) {
   }
   const auto place =
       samples_.insert(std::ranges::lower_bound(samples_, t, {}, &Sample::t), Sample{t, position});
-  if (place != samples_.begin()) std::prev(place)->length = kUnknown;
+  if (place != samples_.begin()) std::prev(place)->chord.reset();
 }
 
 std::optional<double> NearestOnLine::next(double shortest) {
@@ -26,18 +26,19 @@ std::optional<double> NearestOnLine::next(double shortest) {
   for (std::size_t k = 0; k + 1 < samples_.size(); ++k) {
     Sample& a = samples_[k];
     const Sample& b = samples_[k + 1];
-    if (a.length == kUnknown) {
-      a.length = glm::distance(a.position, b.position);
-      a.distance = distance_from_segment(a.position, b.position, target_);
+    if (!a.chord) {
+      a.chord = {glm::distance(a.position, b.position),
+                 distance_from_segment(a.position, b.position, target_)};
     }
+    const auto [length, distance] = *a.chord;
     const double t = 0.5 * (a.t + b.t);
-    if (!(a.t < t && t < b.t) || a.length <= shortest) continue;
-    if ((a.t == nearest_ || b.t == nearest_) && a.length > longest) {
-      longest = a.length;
+    if (!(a.t < t && t < b.t) || length <= shortest) continue;
+    if ((a.t == nearest_ || b.t == nearest_) && length > longest) {
+      longest = length;
       beside = t;
     }
-    if (a.distance >= nearest) continue;
-    nearest = a.distance;
+    if (distance >= nearest) continue;
+    nearest = distance;
     middle = t;
   }
   return middle ? middle : beside;

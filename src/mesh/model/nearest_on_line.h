@@ -35,14 +35,15 @@ class NearestOnLine {
   std::optional<double> next(double shortest);
 
  private:
+  struct Chord {
+    double length;
+    double distance;  ///< from the target
+  };
   struct Sample {
     double t;
     dvec3 position;
-    /// These are of the part up to the next sample; not known at first.
-    double length = kUnknown;
-    double distance = kUnknown;
+    std::optional<Chord> chord = {};  ///< to the next sample; not known at first
   };
-  static constexpr double kUnknown = -1;
   dvec3 target_;
   dvec2 start_, way_;
   std::vector<Sample> samples_;  // ascending t

@@ -80,6 +80,10 @@ inline constexpr double kLineJitter = 0.4;
 /// says nothing about the size of leaves. A part of the surface without triangles is this far off.
 inline constexpr double kMostSafety = 4;
 
+/// A distance, or the bound of one, matters beside the largest known one if it is larger by this
+/// factor.
+inline constexpr double kMatters = 1.02;
+
 // Counts.
 
 /// Parts of the domain each way in which features are told apart: the columns and rows of a probe's
@@ -97,6 +101,10 @@ inline constexpr std::size_t kKeptAtATime = 1 << 14;
 /// decides what is left to search.
 inline constexpr std::size_t kSearchedTogether = 64;
 
+/// Boxes or leaves of a search that are open at a time, and undefined boxes that are kept, the
+/// largest first: along a curve the boxes of a level double every two levels. Once there were more,
+/// kMostFollowed boxes stand for all.
+inline constexpr std::size_t kMostOpen = 256;
 /// Boxes or places of a kind that are followed one by one: more are along curves.
 inline constexpr std::size_t kMostFollowed = 64;
 

@@ -18,9 +18,9 @@ namespace {
 /// gap, levels of up to kMaxBrokenDepth halvings count as short: they may complete it.
 constexpr std::size_t kShort = 4;
 /// Halvings of a patch where the surface may be undefined or jump, both ways taken together: 12
-/// give 1/64 of each side. A level of at most kFewBoxes boxes goes on to 24, 1/4096.
+/// give 1/64 of each side. A level of at most kFewBoxes boxes goes on to kHalvingsOfSecondOrder
+/// each way.
 constexpr int kMaxBrokenDepth = 12;
-constexpr int kMaxBrokenDepthOfFew = 24;
 constexpr std::size_t kFewBoxes = 100;
 /// A level of root cells helps if one in 8 is proved. After one level that does not help, another
 /// is not tested; after two in a row, two, and so on.
@@ -205,7 +205,7 @@ class Certifier {
       next_.clear();
       bounded_.clear();
       measured_parts_.clear();
-      const int most_halvings = broken_ <= kFewBoxes ? kMaxBrokenDepthOfFew : kMaxBrokenDepth;
+      const int most_halvings = broken_ <= kFewBoxes ? 2 * kHalvingsOfSecondOrder : kMaxBrokenDepth;
       broken_ = 0;
       for (Part& part : parts_) prove(part, most_halvings);
       const std::vector<ProofOutcome> measured = measure_(bounded_);

@@ -14,7 +14,7 @@
 
 namespace saddle {
 
-/// Open parts of a line beyond which bounds are too wide.
+/// Open parts of a line beyond which bounds are too wide, and jumps beyond which there are waves.
 inline constexpr std::size_t kMostLineParts = 8;
 
 /// A straight line of parameters.

@@ -13,8 +13,6 @@ namespace saddle {
 
 namespace {
 
-/// A box whose bound is less than 1.03 times the largest known distance is not searched.
-constexpr double kMatters = 1.03;
 /// The sample of a box, in shares of its sides: at dyadic places formulas have values of their own.
 const dvec2 kSample(0.5129, 0.4733);
 

@@ -26,9 +26,6 @@ namespace {
 /// Halvings after which a box whose samples show both sides of a feature is done: 1/128 of each
 /// range. Cells are not much smaller.
 constexpr int kSettledHalvings = 14;
-/// Open boxes of a level: along a curve their number doubles every two levels. Also undefined boxes
-/// that are kept, the largest first. Once there were more, kMostFollowed boxes stand for all.
-constexpr std::size_t kMostOpenBoxes = 256;
 /// Halvings of a box around an undefined sample, each way, until it is proved to be undefined.
 constexpr int kHalvingsAroundHole = 8;
 /// In differences of the other samples: the middle of a box that is farther from their mean shows
@@ -64,11 +61,11 @@ class LandmarkSearch {
   Landmarks run() {
     while (!search_.open().empty()) {
       search_.test([this](OpenBox& open) { return test(open); });
-      const bool is_full = search_.open().size() > (thinned_ ? kMostFollowed : kMostOpenBoxes);
+      const bool is_full = search_.open().size() > (thinned_ ? kMostFollowed : kMostOpen);
       const bool is_last = budget_ == 0 || search_.depth() == 2 * kHalvingsToNearly;
       if (is_full || is_last || search_.depth() >= kSettledHalvings) settle(is_last);
       if (is_last) break;
-      if (search_.open().size() > (thinned_ ? kMostFollowed : kMostOpenBoxes)) thin_out();
+      if (search_.open().size() > (thinned_ ? kMostFollowed : kMostOpen)) thin_out();
       search_.halve_in_turn();
     }
     return std::move(result_);
@@ -90,7 +87,7 @@ class LandmarkSearch {
   }
 
   void add_hole(const ParameterBox& box) {
-    if (holes_ == kMostOpenBoxes) return;
+    if (holes_ == kMostOpen) return;
     ++holes_;
     result_.places.push_back(
         {box.middle(), dvec3(std::numeric_limits<double>::quiet_NaN()), box.size(), dvec2(0)});

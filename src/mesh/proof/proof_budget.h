@@ -30,7 +30,7 @@ class ProofBudget {
   std::size_t of_box() const { return of_box_; }
   /// The boxes that were taken.
   std::size_t boxes() const { return boxes_; }
-  /// The boxes of a search for single places, up to 8,000.
+  /// The boxes of a search for single places, up to 4,000.
   std::size_t boxes_of_search() const { return boxes_of_search_; }
 
  private:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
+#include <utility>
 #include <vector>
 
 #include "base/bounds.h"
@@ -19,10 +21,8 @@ namespace {
 /// less over most boxes.
 constexpr double kVisibleRoom = 3;
 
-/// Samples of a gap.
-constexpr std::size_t kPlaces = 5;
-
-std::array<dvec2, kPlaces> places_in(const ProofGap& gap) {
+/// A gap's middle and corners.
+std::array<dvec2, 5> places_in(const ProofGap& gap) {
   return {0.5 * gap.low + 0.5 * gap.high,
           gap.low,
           {gap.high.x, gap.low.y},
@@ -41,20 +41,20 @@ double narrow_side(const dvec2& size, const dvec2& range) {
 void measure_gaps(const Surface& surface, const dvec2& largest_cell, double tolerance,
                   unsigned threads, KnownHulls& hulls, std::span<ProofGap> gaps) {
   std::vector<dvec2> uv;
-  uv.reserve(kPlaces * gaps.size());
   for (const ProofGap& gap : gaps) {
     const auto places = places_in(gap);
     uv.insert(uv.end(), places.begin(), places.end());
   }
   const std::vector<dvec3> points = evaluate_positions(surface, uv, threads);
   const dvec2 range = box_of(surface.domain).size();
-  for (std::size_t k = 0; k < gaps.size(); ++k) {
-    ProofGap& gap = gaps[k];
+  auto next = points.begin();
+  for (ProofGap& gap : gaps) {
     const ParameterBox box{gap.low, gap.high};
     const dvec2 size = box.size();
     Bounds samples;
-    for (std::size_t i = k * kPlaces; i < (k + 1) * kPlaces; ++i) {
-      if (is_finite(points[i])) samples.add(points[i]);
+    const auto end = next + static_cast<std::ptrdiff_t>(places_in(gap).size());
+    for (const dvec3& p : std::ranges::subrange(std::exchange(next, end), end)) {
+      if (is_finite(p)) samples.add(p);
     }
     gap.share = size.x * size.y / (range.x * range.y);
     gap.room = samples.empty() ? kInfinity : room_beyond(samples, hulls.over(box));

@@ -7,12 +7,11 @@ namespace saddle {
 
 namespace {
 
-/// Nanoseconds, of which only ratios matter: a place without its formula, an operation of a formula
-/// there, a look without its formula, and a step of an Enclosure.
-constexpr double kPlace = 270;
-constexpr double kOperation = 0.289;
-constexpr double kLook = 20;
-constexpr double kStep = 5;
+/// Times in places without their formula, which take 270 ns: an operation of a formula there, a
+/// look without its formula, and a step of an Enclosure.
+constexpr double kOperation = 0.00107;
+constexpr double kLook = 0.0741;
+constexpr double kStep = 0.0185;
 /// Operations that a call of a function takes as long as.
 constexpr double kCall = 25;
 
@@ -28,8 +27,8 @@ double count_operations(const Tape& tape) {
 }  // namespace
 
 Effort::Effort(const Surface& surface)
-    : place_(1 + kOperation * count_operations(surface.tangents) / kPlace),
-      look_((kLook + kStep * static_cast<double>(Enclosure(surface.bounds, 3).steps())) / kPlace),
+    : place_(1 + kOperation * count_operations(surface.tangents)),
+      look_(kLook + kStep * static_cast<double>(Enclosure(surface.bounds, 3).steps())),
       count_(surface.tangents.count) {}
 
 }  // namespace saddle

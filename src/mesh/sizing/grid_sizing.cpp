@@ -24,9 +24,6 @@ constexpr double kRise = 2;
 constexpr std::size_t kEveryForRatio = 4;
 /// Rounds in which cells are given a shape; the first starts from the ratio.
 constexpr int kPasses = 3;
-/// In tolerances: where a sample shows a larger error, the lines are too far apart for one cell
-/// alone, and the cell's own samples might not show it.
-constexpr double kFarTooLarge = 4;
 /// A loop has at least 4 cells: a polygon has no second derivatives to ask for them, and one or two
 /// cells around it are flat.
 constexpr double kCellsOfLoop = 4;
@@ -241,7 +238,8 @@ std::vector<Counterexample> find_counterexamples(const Probe& probe, const Fixed
   const dvec2 size = glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0)) / static_cast<double>(kDomainParts);
   std::vector<Counterexample> result;
   for_sampled_cells(probe, lines, forms, [&](std::size_t s, const SampledCell& cell) {
-    if (!(cell.error > kFarTooLarge)) return;
+    // The lines are too far apart for one cell alone, whose own samples might not show it.
+    if (!(cell.error > kMostSafety)) return;
     result.push_back({probe.uv(s),
                       probe.samples()[s].position,
                       size,
