@@ -19,10 +19,11 @@ namespace saddle {
 
 namespace {
 
-/// Lines across a strip between two ends, in parts of its length, and across one that ends in the
-/// leaf, in sides of the leaf.
+/// Lines across a strip between two ends, in parts of its length.
 constexpr std::array kAcrossStrip = {0.05, 0.25, 0.5, 0.75, 0.95};
-constexpr std::array kBesideEnd = {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 3.0 / 4};
+/// The tip of a strip that ends in a leaf is found to 2^-8 of the leaf: a quarter of a tolerance in
+/// a cell of 1/16 of the surface.
+constexpr int kHalvingsToTip = 8;
 
 }  // namespace
 
@@ -51,6 +52,17 @@ std::vector<std::uint32_t> StripDistance::thin_ends(const Leaf& leaf, bool& is_g
   return ends;
 }
 
+bool StripDistance::is_torn(const Leaf& leaf) const {
+  bool is_gap = false;
+  const std::vector<std::uint32_t> ends = thin_ends(leaf, is_gap);
+  if (ends.size() != 2 || is_gap) return false;
+  return std::ranges::none_of(sub_polygons(leaf, tree_), [&](const Polygon& polygon) {
+    return std::ranges::all_of(ends, [&](std::uint32_t end) {
+      return std::ranges::count(polygon, end, &PolygonCorner::corner) > 0;
+    });
+  });
+}
+
 bool StripDistance::add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
                         double allowed) {
   bool is_gap = false;
@@ -64,7 +76,7 @@ bool StripDistance::add(const Leaf& leaf, std::size_t number, std::span<const Tr
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
   const auto place = [&](std::uint32_t vertex) { return (grid_.mesh.uv[vertex] - low) / size; };
-  Across across{number, triangles, {}, is_gap, ends, {}, 0};
+  Across across{number, triangles, {}, is_gap, ends, {}, 0, {}};
   for (const Triangle& t : triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::array<std::uint32_t, 2> edge = {t[i], t[(i + 1) % 3]};
@@ -73,21 +85,20 @@ bool StripDistance::add(const Leaf& leaf, std::size_t number, std::span<const Tr
         across.edges.push_back(edge);
     }
   }
+  const dvec2 from = place(ends[0]);
+  if (ends.size() == 1) {
+    const std::ptrdiff_t axis = std::min(from.x, 1 - from.x) < std::min(from.y, 1 - from.y) ? 0 : 1;
+    Line side = {low, low + size};
+    for (dvec2& at : side) at[axis] = low[axis] + (from[axis] < 0.5 ? 0 : size[axis]);
+    dvec2 depth(0);
+    depth[axis] = from[axis] < 0.5 ? size[axis] : -size[axis];
+    tips_.push_back({std::move(across), side, depth});
+    return triangles.empty();
+  }
   const auto add = [&](const dvec2& at, const dvec2& way) {
     across.line = {low + size * border_of_square(at, way), low + size * border_of_square(at, -way)};
     across_.push_back(across);
   };
-  const dvec2 from = place(ends[0]);
-  if (ends.size() == 1) {
-    const bool on_side_of_u = std::min(from.x, 1 - from.x) < std::min(from.y, 1 - from.y);
-    for (const double depth : kBesideEnd) {
-      dvec2 at(0.5);
-      const std::ptrdiff_t axis = on_side_of_u ? 0 : 1;
-      at[axis] = from[axis] < 0.5 ? depth : 1 - depth;
-      add(at, on_side_of_u ? dvec2(0, 1) : dvec2(1, 0));
-    }
-    return triangles.empty();
-  }
   const dvec2 to = place(ends[1]);
   if (from == to) return false;
   if (!is_gap) across.at_least = kMostSafety * allowed;
@@ -96,24 +107,50 @@ bool StripDistance::add(const Leaf& leaf, std::size_t number, std::span<const Tr
   return true;
 }
 
-/// Looks on each line across for the strip or gap, and measures it there.
-std::vector<LeafDistance> StripDistance::measure() {
-  std::vector<LeafDistance> found = std::move(found_);
-  if (across_.empty()) return found;
+/// Looks on each line across for the strip or gap.
+void StripDistance::find_inside(std::span<Across> across) {
   std::vector<AlikeEnds> lines;
-  for (const Across& across : across_) lines.push_back({across.line, across.is_gap});
+  for (const Across& line : across) lines.push_back({line.line, line.is_gap});
   const auto inside = find_thin_parts(surface_, lines, threads_, evaluations_);
-  std::vector<Line> ways;
-  for (std::size_t k = 0; k < across_.size(); ++k) {
-    if (!inside[k]) {
-      found.push_back({across_[k].leaf, across_[k].at_least});
-      continue;
+  for (std::size_t k = 0; k < across.size(); ++k) across[k].inside = inside[k];
+}
+
+/// Bisects the depth to which strips and gaps that end in a leaf reach. Adds the lines that cross
+/// them: the last of each is beside the tip.
+void StripDistance::follow_to_tips() {
+  for (double step = 0.5; step >= std::ldexp(1.0, -kHalvingsToTip); step /= 2) {
+    std::vector<Across> lines;
+    for (const Tip& tip : tips_) {
+      lines.push_back(tip.across);
+      for (std::size_t end = 0; end < 2; ++end)
+        lines.back().line[end] = tip.side[end] + (tip.reached + step) * tip.depth;
     }
-    for (const dvec2& end : across_[k].line) {
-      ways.push_back({end, *inside[k]});
-      if (!across_[k].is_gap) std::swap(ways.back()[0], ways.back()[1]);
+    find_inside(lines);
+    for (std::size_t k = 0; k < tips_.size(); ++k) {
+      if (!lines[k].inside) continue;
+      tips_[k].reached += step;
+      across_.push_back(std::move(lines[k]));
     }
   }
+}
+
+/// Measures each strip or gap on the lines across it.
+std::vector<LeafDistance> StripDistance::measure() {
+  std::vector<LeafDistance> found = std::move(found_);
+  find_inside(across_);
+  follow_to_tips();
+  std::vector<Line> ways;
+  for (const Across& across : across_) {
+    if (!across.inside) {
+      found.push_back({across.leaf, across.at_least});
+      continue;
+    }
+    for (const dvec2& end : across.line) {
+      ways.push_back({end, *across.inside});
+      if (!across.is_gap) std::swap(ways.back()[0], ways.back()[1]);
+    }
+  }
+  if (ways.empty()) return found;
   const std::vector<dvec2> edges = last_defined(surface_, ways, kHalvingsToEdge, threads_, clip_);
   std::vector<dvec2> uv;
   for (std::size_t k = 0; k < edges.size(); k += 2) {
@@ -123,7 +160,7 @@ std::vector<LeafDistance> StripDistance::measure() {
   evaluations_ += edges.size() * kHalvingsToEdge + points.size();
   std::size_t next = 0;
   for (std::size_t k = 0; k < across_.size(); ++k) {
-    if (!inside[k]) continue;
+    if (!across_[k].inside) continue;
     const std::size_t count = kAllAlongLine.size();
     const auto on_line = std::span(points).subspan(next, count);
     if (across_[k].is_gap) {

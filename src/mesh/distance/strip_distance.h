@@ -29,6 +29,8 @@ class StripDistance {
                 const std::optional<Bounds>& clip, unsigned threads)
       : surface_(surface), grid_(grid), tree_(tree), clip_(clip), threads_(threads) {}
 
+  /// Whether two thin ends of a strip are in no common part of a leaf's polygon.
+  bool is_torn(const Leaf& leaf) const;
   /// Adds lines across a thin strip or gap in a leaf. False for leaves that have none, or several.
   bool add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
            double allowed);
@@ -47,7 +49,17 @@ class StripDistance {
     std::vector<std::uint32_t> ends;                  ///< where the strip or gap enters the leaf
     std::vector<std::array<std::uint32_t, 2>> edges;  ///< of the mesh, in the leaf
     double at_least;                                  ///< the distance if nothing is crossed
+    std::optional<dvec2> inside = {};                 ///< a place of the strip or gap on the line
   };
+  /// A strip or gap that enters a leaf through one side and ends in it.
+  struct Tip {
+    Across across;
+    Line side;
+    dvec2 depth;         ///< from that side to the opposite one
+    double reached = 0;  ///< in depths
+  };
+  void find_inside(std::span<Across> across);
+  void follow_to_tips();
   std::vector<std::uint32_t> thin_ends(const Leaf& leaf, bool& is_gap) const;
   double from_edges(const Across& across, const dvec3& p) const;
   double distance_across_gap(const Across& across, std::span<const SurfacePoint> points) const;
@@ -61,6 +73,7 @@ class StripDistance {
   const std::optional<Bounds>& clip_;
   unsigned threads_;
   std::vector<Across> across_;
+  std::vector<Tip> tips_;
   std::vector<LeafDistance> found_;  ///< at leaves that several strips enter
   std::size_t evaluations_ = 0;
 };

@@ -60,6 +60,28 @@ TEST(ThinParts, SlotsAlongCurvesAreMeshedFromEndToEnd) {
             1.02);
 }
 
+/// The tip of a slot lies anywhere within a leaf.
+TEST(ThinParts, SlotsThatEndInTheSurfaceAreMeshedToTheirTips) {
+  for (const double end : {0.5577, 0.5731, 0.5868, 0.6, 0.6113, 0.6259}) {
+    for (const double wave : {0.0, 0.1576}) {
+      const std::string height = std::to_string(wave) + "*sin(5.127*u)";
+      const MeshResult result = mesh_with_thin_part("(abs(v-" + height + ")<1.734e-5&&hypot(u,v)<" +
+                                                    std::to_string(end) + ")?0:nan");
+      const auto v_at = [wave](double u) { return wave * std::sin(5.127 * u); };
+      double low = 0;  // of u at the end
+      for (double high = 1; high - low > 1e-12;) {
+        const double u = 0.5 * (low + high);
+        (std::hypot(u, v_at(u)) < end ? low : high) = u;
+      }
+      const double found = worst_distance_along(
+          result, [low](double t) { return low * t; }, [&](double t) { return v_at(low * t); });
+      const double told = result.report.max_error / *result.report.tolerance;
+      EXPECT_LE(found, 1.02) << wave << " to " << end;
+      EXPECT_LE(found, 1.1 * std::max(told, 0.9)) << wave << " to " << end;
+    }
+  }
+}
+
 /// hill * exp(-u^2 - 3 v^2) + sqrt(half width - |s|) on |s| <= half width, where s = u - slope * v
 /// + offset: a strip with a sharp crest, as far from its edges as its height.
 struct Tent {
