@@ -1,5 +1,6 @@
 #include "surface/defined_share.h"
 
+#include <span>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -17,8 +18,50 @@ constexpr int kPlaces = 32;
 /// Open boxes of a level at which a proof of continuity gives up: those along a jump double.
 constexpr std::size_t kMostDiscontinuous = 1024;
 
+/// Halvings to the end of an undefined part: a millionth of it.
+constexpr int kHalvingsToEnd = 20;
+
 double area_of(const ParameterBox& box) {
   return box.size().x * box.size().y;
+}
+
+/// How far from a place its part of the domain is undefined along an axis. Steps of `first`, then
+/// of twice as much each, lead out of the part, and halvings back to its end.
+double undefined_until(const Surface& surface, dvec2 place, int axis, double first) {
+  const auto is_undefined_at = [&](double at) {
+    place[axis] = at;
+    const dvec2 uv = surface.domain.at(place);
+    return !is_finite(evaluate_positions(surface, std::span(&uv, 1), 1)[0]);
+  };
+  double inside = place[axis];
+  double outside = inside;
+  for (double step = first;; step *= 2) {
+    outside = glm::clamp(inside + step, 0.0, 1.0);
+    if (!is_undefined_at(outside)) break;
+    inside = outside;
+    if (outside == 0 || outside == 1) return outside;
+  }
+  for (int k = 0; k < kHalvingsToEnd; ++k) {
+    const double middle = 0.5 * (inside + outside);
+    (is_undefined_at(middle) ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+/// The middle of the undefined part around a box that is proved undefined: of its chords along u
+/// and v, each through the middle of the one before.
+dvec2 middle_of_undefined(const Surface& surface, const ParameterBox& box) {
+  dvec2 place = box.middle();
+  for (const int axis : {0, 1, 0, 1}) {
+    const double size = box.size()[axis];
+    dvec2 middle = place;
+    middle[axis] = 0.5 * (undefined_until(surface, place, axis, -size) +
+                          undefined_until(surface, place, axis, size));
+    const dvec2 uv = surface.domain.at(middle);
+    if (is_finite(evaluate_positions(surface, std::span(&uv, 1), 1)[0])) break;
+    place = middle;
+  }
+  return surface.domain.at(place);
 }
 
 /// Whether boxes prove that a surface has neither a jump nor a pole.
@@ -50,7 +93,7 @@ DefinedShare prove_defined(const Surface& surface, std::size_t boxes) {
       case Defined::No:
         share.no += area_of(part);
         // The first is the largest: a level is tested before its boxes' halves.
-        if (!share.undefined_at) share.undefined_at = d.at(part.middle());
+        if (!share.undefined_at) share.undefined_at = middle_of_undefined(surface, part);
         return ProofOutcome::Refuted;
       case Defined::Maybe:
         return ProofOutcome::Open;

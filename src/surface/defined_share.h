@@ -14,7 +14,8 @@ struct DefinedShare {
   double no = 0;
   bool everywhere = false;  ///< no point is undefined or undecided
   bool continuous = false;  ///< everywhere, and no point may be one of a jump or pole
-  /// The middles of the largest boxes that are proved undefined, and that stayed undecided.
+  /// The middle of the part around the largest box that is proved undefined, and that of the
+  /// largest box that stayed undecided.
   std::optional<dvec2> undefined_at, undecided_at;
 };
 

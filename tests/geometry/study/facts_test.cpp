@@ -216,7 +216,11 @@ TEST(Facts, AHoleBetweenTheMeshsSamplesCountsAgainstClosed) {
   EXPECT_EQ(facts_of(torus_with("0")).closed, Closed::Yes);
   for (const char* const radius : {"0.5", "1e-3", "1e-5"}) {
     const std::string hole = "0*sqrt((u-1)^2+(v-1)^2-(" + std::string(radius) + ")^2)";
-    EXPECT_EQ(facts_of(torus_with(hole)).closed, Closed::No) << radius;
+    const Facts facts = facts_of(torus_with(hole));
+    EXPECT_EQ(facts.closed, Closed::No) << radius;
+    ASSERT_TRUE(facts.defined.undefined_at) << radius;
+    // Its middle is named, to a hundredth of the radius.
+    EXPECT_LE(glm::distance(*facts.defined.undefined_at, dvec2(1)), 0.01 * std::stod(radius));
   }
   // Undefined at a single point, which no box shows.
   EXPECT_NE(facts_of(torus_with("0*ln((u-1)^2+(v-1)^2)")).closed, Closed::Yes);
