@@ -111,7 +111,9 @@ def false_words(surface, report):
 
 
 def refused(run, surface, seed):
-    """A refusal is right if no place has a value."""
+    """A refusal is right if no place has a value, or if it says that the samples miss the surface."""
+    if "only between the samples" in run.said:
+        return "refused"
     import places as where
     rng = np.random.default_rng(seed)
     seen = where.Places(surface)

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "base/error.h"
 #include "geometry/gallery/samples.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
@@ -155,6 +157,21 @@ TEST(SampledMesh, TellsOfSpikesBetweenItsSamples) {
   EXPECT_LE(spike.report.max_error, 1);
   EXPECT_GE(spike.report.max_error, 1 / 1.1);
   EXPECT_EQ(spike.mesh.triangles.size(), 800U);
+}
+
+/// A square between all samples, on which alone the surface is defined.
+TEST(SampledMesh, SaysWhereASurfaceIsThatItsSamplesMiss) {
+  try {
+    sampled("(max(abs(u-0.35),abs(v+0.25))<0.01)?u*v:nan", {-1, 1, -1, 1});
+    ADD_FAILURE() << "a mesh of nothing";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), Status::Nothing);
+    EXPECT_EQ(std::string(error.what()), "the surface is defined only between the samples");
+    double u = 0;
+    double v = 0;
+    ASSERT_EQ(std::sscanf(error.hint().c_str(), "it is near u = %lf, v = %lf", &u, &v), 2);
+    EXPECT_LE(std::max(std::fabs(u - 0.35), std::fabs(v + 0.25)), 0.0101);
+  }
 }
 
 /// Chords of a parabola u^2 between 20 cells of 0.1 are (0.1/2)^2 off at most.
