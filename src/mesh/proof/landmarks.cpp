@@ -13,6 +13,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/random.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/proof/box_groups.h"
 #include "mesh/proof/certify.h"
@@ -326,11 +327,7 @@ Landmarks find_landmarks(const Surface& surface, unsigned threads) {
 
 std::optional<SmallComponent> component_of(const Landmarks& landmarks, std::span<const dvec2> met,
                                            const Surface& surface, unsigned threads) {
-  std::vector<dvec2> known;
-  for (const Landmark& landmark : landmarks.places) {
-    if (!landmark.is_hole()) known.push_back(landmark.uv);
-  }
-  if (known.empty()) return std::nullopt;
+  if (std::ranges::all_of(landmarks.places, &Landmark::is_hole)) return std::nullopt;
   const Domain& d = surface.domain;
   const dvec2 least = glm::min(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
   const dvec2 most = glm::max(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
@@ -344,11 +341,26 @@ std::optional<SmallComponent> component_of(const Landmarks& landmarks, std::span
   SmallComponent component{{glm::max(least, low - margin), glm::min(most, high + margin)}, {}};
   low = component.where.low;
   high = component.where.high;
-  for (const double v : even_lines(low.y, high.y, kDomainParts)) {
-    for (const double u : even_lines(low.x, high.x, kDomainParts)) known.emplace_back(u, v);
+  // Rows begin at places of their own: no two points of a strip along u or v are at one place of
+  // it.
+  std::vector<dvec2> places;
+  for (std::uint64_t j = 0; j <= kDomainParts; ++j) {
+    for (std::uint64_t i = 0; i <= kDomainParts; ++i) {
+      const dvec2 part = dvec2(i, j) + dvec2(random_unit(2 * j), random_unit(2 * i + 1));
+      places.push_back(glm::mix(low, high, part / (kDomainParts + 1.0)));
+    }
   }
-  for (const SurfacePoint& point : evaluate(surface, known, threads)) {
-    if (is_finite(point.position)) component.positions.push_back(point.position);
+  Bounds around;
+  for (const SurfacePoint& point : evaluate(surface, places, threads)) {
+    if (!is_finite(point.position)) continue;
+    component.positions.push_back(point.position);
+    around.add(point.position);
+  }
+  // Landmarks crowd: they stand for the surface only where those points do not meet it.
+  const bool is_met = component.positions.size() > kDomainParts;
+  for (const Landmark& landmark : landmarks.places) {
+    if (landmark.is_hole() || (is_met && around.contains(landmark.position))) continue;
+    component.positions.push_back(landmark.position);
   }
   return component;
 }
