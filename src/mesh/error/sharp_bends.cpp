@@ -18,9 +18,9 @@ namespace saddle {
 
 namespace {
 
-/// A bend is sharp if interpolated normals are off by over 20 degrees, or if normals at opposite
+/// A bend is sharp if interpolated normals are off by over 10 degrees, or if normals at opposite
 /// corners are as far apart as kSteepCosine. An arc is no parabola then, and predictions fail.
-constexpr double kSharpDegrees = 20;
+constexpr double kSharpDegrees = 10;
 /// A triangle bridges a bend if its normal is over 30 degrees from the mean of its corners'.
 constexpr double kBridgedCosineSquare = 0.75;
 /// Assumption: a leaf validated below 0.5 tolerances, or whose bridges are thinner, needs no more
@@ -29,13 +29,12 @@ constexpr double kDoubtful = 0.5;
 /// Assumption: a leaf estimated below 0.75 tolerances needs no points on its sides, and a triangle
 /// no search if its places are nearer to the surface.
 constexpr double kDoubtfulSides = 0.75;
-/// From this error estimate on, a diagonal may be above the tolerance.
-constexpr double kNearlyOff = 0.9;
 /// Places on a leaf's middle lines, as parts of its sides. Random points are at 0.15 to 0.35.
 constexpr std::array kOnLines = {0.1, 0.9};
 /// A compass search starts at the farthest place, if its distance is at least 0.85 tolerances:
 /// steps as parts of the leaf's sides, each tried in four directions. For sides whose middles are
-/// nearer to the surface at their parameters, the nearest point is not searched.
+/// nearer to the surface at their parameters, the nearest point is not searched; nor are diagonals
+/// of leaves that are estimated to be nearer.
 constexpr double kSearched = 0.85;
 constexpr std::array kStepShares = {0.2, 0.1, 0.05};
 /// A side that leaves the surface at a corner is farthest from a wall beside the corner: 1.25
@@ -120,7 +119,7 @@ std::optional<SharpBends::Targets> SharpBends::targets_of(
     is_bridged = true;
     has_thick_bridge |= thickness_of(grid_.mesh, t) > kDoubtful * mesh.allowed[number];
   }
-  if (is_bridged && (leaf.state.is_whole() || count_features(leaf, tree_).only_creases))
+  if (is_bridged && (leaf.state.is_whole() || count_features(leaf, tree_).is_continuous))
     return Targets{has_thick_bridge, false, has_thick_bridge, true};
   if (!leaf.state.is_whole()) return std::nullopt;
   const Targets targets{mesh.error_ratio(number) > kDoubtful, leaf.known_error > kDoubtfulSides};
@@ -129,7 +128,7 @@ std::optional<SharpBends::Targets> SharpBends::targets_of(
   if (mesh.sampled_errors[number].degrees > kSharpDegrees) {
     return Targets{targets.places, targets.sides, true};
   }
-  if (leaf.known_error <= kNearlyOff || triangles.size() != 2) return std::nullopt;
+  if (leaf.known_error <= kSearched || triangles.size() != 2) return std::nullopt;
   const double distance = distance_of_diagonal(grid_.mesh, leaf.samples, diagonal_of(triangles));
   return distance > mesh.allowed[number] ? std::optional(Targets{false, true}) : std::nullopt;
 }
