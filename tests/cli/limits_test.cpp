@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <vector>
 
 #include "base/file.h"
 #include "cli/program.h"
@@ -63,6 +64,18 @@ TEST_F(Limits, APictureOfManyNodesTakesMemoryInProportionToThem) {
   // The nodes take 80 megabytes, and threads that allocate at once up to 70 more. A list of all
   // names for each node would take 32 bytes a name, 288 megabytes besides.
   EXPECT_LT(peak(3000) - peak(10), 250e6);
+}
+
+/// The system counts what the process took before it became saddle: its parent's memory.
+TEST_F(Limits, ARunDoesNotTellTheMemoryOfTheProgramThatStartedIt) {
+  const auto peak = [&] {
+    const Outcome run = saddle({"torus", "-q", "-o", "a.ply", "--report", "-"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return nlohmann::json::parse(run.out)["peak_memory_bytes"].get<double>();
+  };
+  const double alone = peak();
+  const std::vector<char> large(std::size_t{300} << 20, 1);
+  EXPECT_LT(peak(), alone + 100e6) << large.back();
 }
 
 TEST_F(Limits, APictureTakesNoThreads) {

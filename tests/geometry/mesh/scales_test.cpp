@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mesh/mesher/mesher.h"
+#include "mesh_checks.h"
 #include "mesh_requests.h"
 #include "surface_from_text.h"
 
@@ -41,7 +42,23 @@ TEST(Scales, TellTheRoundingOfLargeCoordinates) {
   EXPECT_GT(far.report.max_error, *far.report.tolerance);
   EXPECT_TRUE(far.report.rounding);
   EXPECT_LT(far.mesh.triangles.size(), 10'000U) << "no refinement of rounding";
+  EXPECT_LT(far.report.evaluations, 500'000U);
+  const MeshResult farther = mesh_of_torus("1", "1e15");
+  EXPECT_GT(farther.report.max_error, 0x1p-4);  // half of the distance of doubles there
+  EXPECT_TRUE(farther.report.rounding);
+  EXPECT_LT(farther.report.evaluations, 500'000U);
   EXPECT_FALSE(mesh_of_torus("1", "1e12").report.rounding);
+}
+
+TEST(Scales, OfATinyToleranceLeaveNothingOut) {
+  const Surface sphere = surface_from_text("cos(v)*cos(u)", "cos(v)*sin(u)", "sin(v)",
+                                           {0, 2 * kPi, -kPi / 2, kPi / 2}, {}, Order::Second);
+  MeshRequest request = within_share(1e-9);
+  request.max_triangles = 100'000;
+  const MeshResult result = try_mesh(sphere, request).value();
+  EXPECT_EQ(result.report.undefined_fraction, 0);
+  EXPECT_GT(result.report.max_error, *result.report.tolerance) << "the limit is told";
+  EXPECT_EQ(euler_number(result.mesh), 2);
 }
 
 }  // namespace
