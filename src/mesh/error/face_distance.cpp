@@ -12,7 +12,7 @@ namespace saddle {
 
 namespace {
 
-/// A search ends at a step of less than 0.02 tolerances, or after kHalvingsToEdge steps.
+/// A search ends at a step of less than 0.02 tolerances, or after kHalvingsToNearly steps.
 constexpr double kFaceStep = 0.02;
 /// The end of a side beyond a pole is taken to be at most 16 times as far from the face as the
 /// other end.
@@ -126,7 +126,7 @@ void FaceDistance::find(std::vector<Crossing>& crossings) {
     crossing.last_end = end;
     return height == 0 || glm::distance(crossing.position, before) < enough_;
   };
-  bisect_together(surface_, crossings, open, kHalvingsToEdge, threads_, place, is_done);
+  bisect_together(surface_, crossings, open, kHalvingsToNearly, threads_, place, is_done);
 }
 
 /// Lines across the middles between the places where the sides of cuts cross faces.

@@ -9,7 +9,6 @@
 #include <glm/common.hpp>
 
 #include "mesh/features/nonsmooth_points.h"
-#include "mesh/mesher/oscillation.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/sizing/grid_sizing.h"
@@ -20,6 +19,10 @@ namespace {
 
 /// Meshing aims at 0.98 of the tolerance: samples miss part of the largest distance.
 constexpr double kAim = 0.98;
+/// A root grid has at most 0.28 lines each way over the tolerance as a share of the diagonal: its
+/// narrowest cells are about as wide as the narrow leaves of an Oscillation.
+constexpr double kMostRootLines = 0.28;
+
 /// Too many lines become fewer in steps: the tolerance that they are placed for grows by as many
 /// times as there are too many lines or cells, and by 1.25 at least. Lines need its square, and
 /// sin(1e15*u) would take 1e15 of them.
@@ -59,8 +62,7 @@ void place_root_lines(const MeshRequest& request, MeshPlan& plan) {
     plan.lines = place_lines(plan.probe, plan.fixed, plan.sizing, 1 / std::sqrt(factor));
   };
   place(1);
-  // Cells of a root grid are no narrower than the narrow leaves of an Oscillation.
-  const double most = std::max(1 / (kNarrow * share_of_diagonal(plan)),
+  const double most = std::max(kMostRootLines / share_of_diagonal(plan),
                                static_cast<double>(plan.fixed.u.size() + plan.fixed.v.size()));
   // Places the lines for ever larger tolerances while there are too many by this factor. Returns
   // by how much the tolerance grew.

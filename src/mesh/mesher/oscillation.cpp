@@ -12,6 +12,9 @@ namespace saddle {
 
 namespace {
 
+/// A leaf of up to 4 tolerances, or two pixels, is narrow: no wave in it is visible. The image of
+/// a parameter range is taken to be as long as the surface's diagonal.
+constexpr double kNarrow = 4;
 /// A leaf predicted to be unresolvable is narrow enough at 1.5 times the width of a narrow one:
 /// the narrowest cells of a root grid need no halving.
 constexpr double kPredictedWidth = 1.5;

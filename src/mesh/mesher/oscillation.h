@@ -12,10 +12,6 @@ namespace saddle {
 
 class CellTree;
 
-/// A leaf of up to 4 tolerances, or two pixels, is narrow: no wave in it is visible. The image of
-/// a parameter range is taken to be as long as the surface's diagonal.
-inline constexpr double kNarrow = 4;
-
 /// Counts unresolvable leaves: narrow ones whose error is still large. Where they fill an area, the
 /// surface oscillates, and leaves are not halved further; along a line, as at a jump, they are.
 class Oscillation {
