@@ -40,8 +40,7 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
     if (!triangles.empty()) return add_chords(leaf, number, triangles, FeatureKind::Jump);
   } else {
     if (!leaf.state.is_on_boundary()) return;
-    // A strip with a crest is measured at its creases, if it is not lost.
-    if (is_cut && !strips_.is_torn(leaf)) return;
+    if (is_cut && !(counts_torn_ && strips_.is_torn(leaf))) return;
     if (strips_.add(leaf, number, triangles, allowed)) {
       if (triangles.empty()) add_bulges(leaf, number);  // the strip may end before the first line
       return;
