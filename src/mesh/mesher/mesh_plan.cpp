@@ -23,10 +23,11 @@ constexpr double kAim = 0.98;
 /// narrowest cells are about as wide as the narrow leaves of an Oscillation.
 constexpr double kMostRootLines = 0.28;
 
-/// Too many lines become fewer in steps: the tolerance that they are placed for grows by as many
-/// times as there are too many lines or cells, and by 1.25 at least. Lines need its square, and
-/// sin(1e15*u) would take 1e15 of them.
+/// Too many lines become fewer in steps: the tolerance that they are placed for grows by 1.25; by
+/// 4, which halves their number, while lines or cells are more than twice too many. A surface like
+/// sin(1e15*u) would take 1e15 lines.
 constexpr double kCoarser = 1.25;
+constexpr double kMuchCoarser = 4;
 
 FixedLines drawn_lines(const Domain& domain, const MeshRequest& request) {
   const auto lines = [](double first, double last, int count) {
@@ -69,7 +70,7 @@ void place_root_lines(const MeshRequest& request, MeshPlan& plan) {
   const auto place_fewer = [&](double factor, const auto& excess) {
     const double first = factor;
     for (double times; (times = excess()) > 1 && std::isfinite(factor); place(factor))
-      factor *= std::max(times, kCoarser);
+      factor *= times > 2 ? kMuchCoarser : kCoarser;
     return factor / first;
   };
   const double coarser = place_fewer(1, [&] {

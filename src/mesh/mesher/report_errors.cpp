@@ -30,10 +30,9 @@ constexpr std::size_t kSearchedPart = 16;
 
 /// Oscillating leaves are waves if they are one in 16; fewer are parts of a ridge.
 constexpr std::ptrdiff_t kWaves = 16;
-/// The search climbs from the worst 16 leaves, with 160 evaluations each.
-constexpr std::size_t kClimbed = 16;
-/// Bounds are followed in up to kMostOpen leaves of each kind, then over up to 8,192 boxes: or over
-/// the share of searches that the surface may have.
+/// The search climbs from the worst kMostFollowed leaves, with 160 evaluations each. Bounds are
+/// followed in up to kMostOpen leaves of each kind, then over up to 8,192 boxes: or over the share
+/// of searches that the surface may have.
 constexpr std::size_t kMostBoxes = 8192;
 
 /// A leaf that is searched for the largest error.
@@ -77,7 +76,7 @@ class ErrorSearch {
   void climb() {
     std::ranges::stable_sort(starts_, std::ranges::greater(), &Start::error);
     std::vector<WholeMeshError::Climb> climbs;
-    for (const Start& start : std::span(starts_).first(std::min(kClimbed, starts_.size())))
+    for (const Start& start : std::span(starts_).first(std::min(kMostFollowed, starts_.size())))
       climbs.push_back(start.climb);
     whole_.climb(climbs);
     for (std::size_t k = 0; k < climbs.size(); ++k) take(climbs[k].best, starts_[k].scale);
@@ -137,7 +136,7 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   if (surface.may_go_on()) features.dive(parts);
   const PlacedError followed = features.search(surface.may_go_on() ? shared(kMostBoxes) : 0);
   ErrorSearch search(box_of(surface.domain), tolerance, whole(), followed);
-  const std::size_t at_once = surface.may_go_on() ? kInBatch : kClimbed;
+  const std::size_t at_once = surface.may_go_on() ? kInBatch : kMostFollowed;
   for (std::size_t next = 0;
        next < suspects.size() && suspects[next].error > search.worst().distance; next += at_once) {
     search.measure(suspects.subspan(next, std::min(at_once, suspects.size() - next)));
