@@ -20,6 +20,8 @@ namespace {
 
 constexpr int kWidth = 160;
 constexpr int kHeight = 120;
+/// Points that cover a tenth of a pixel: the tips of sheets may be narrower than its samples.
+constexpr int kCovers = 40;
 
 struct Sheets {
   std::string z;
@@ -43,10 +45,11 @@ Scene scene_of(const Sheets& sheets) {
 std::vector<dvec3> points_of(const Sheets& sheets) {
   constexpr int kPlaces = 800;
   std::vector<dvec3> points = sheets.more;
-  for (int j = 0; j <= kPlaces; ++j) {
-    for (int i = 0; i <= kPlaces; ++i) {
-      const double u = sheets.half_side * (2.0 * i / kPlaces - 1);
-      const double v = sheets.half_side * (2.0 * j / kPlaces - 1);
+  for (int j = 0; j < kPlaces; ++j) {
+    for (int i = 0; i < kPlaces; ++i) {
+      // On the axes and edges formulas have values of their own.
+      const double u = sheets.half_side * ((2.0 * i + 1) / kPlaces - 1);
+      const double v = sheets.half_side * ((2.0 * j + 1) / kPlaces - 1);
       points.emplace_back(u, v, sheets.height(u, v));
     }
   }
@@ -77,22 +80,27 @@ void expect_sheets(const Sheets& sheets) {
   PictureSettings settings = scene.picture;
   settings.width = kWidth;
   settings.height = kHeight;
-  settings.antialias = 1;
+  settings.antialias = 4;  // parts of a wall may be narrower than a pixel
   const Image image = render(scene, std::span(&mesh, 1), settings).image;
   const FittedCamera camera =
       fit_camera(drawn_camera(scene), mesh.bounds, double(kWidth) / kHeight);
   Pixels drawn(kHeight, std::vector<bool>(kWidth));
-  Pixels expected = drawn;
+  Pixels touched = drawn;
+  Pixels covered = drawn;
+  std::vector<std::vector<int>> counts(kHeight, std::vector<int>(kWidth));
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) drawn[y][x] = image.pixel(x, y)[3] > 0;
   }
   for (const dvec3& point : points_of(sheets)) {
     const dvec2 at = pixel_of(camera, point, dvec2(kWidth, kHeight)).value();
     ASSERT_TRUE(at.x > 0 && at.x < kWidth && at.y > 0 && at.y < kHeight) << sheets.z;
-    expected[static_cast<std::size_t>(at.y)][static_cast<std::size_t>(at.x)] = true;
+    const auto x = static_cast<std::size_t>(at.x);
+    const auto y = static_cast<std::size_t>(at.y);
+    touched[y][x] = true;
+    covered[y][x] = ++counts[y][x] >= kCovers;
   }
-  EXPECT_EQ(count_alone(expected, drawn), 0) << sheets.z << ": pixels without the surface";
-  EXPECT_EQ(count_alone(drawn, expected), 0) << sheets.z << ": pixels between sheets";
+  EXPECT_EQ(count_alone(covered, drawn), 0) << sheets.z << ": pixels without the surface";
+  EXPECT_EQ(count_alone(drawn, touched), 0) << sheets.z << ": pixels between sheets";
 }
 
 TEST(Sheets, AreAllInThePictureAndNothingBetweenThem) {
@@ -100,8 +108,7 @@ TEST(Sheets, AreAllInThePictureAndNothingBetweenThem) {
                  [](double u, double v) { return u * u + v * v < 0.5 && v > 0 ? 1.0 : 0.0; }});
   expect_sheets({"(u^2+v^2<0.001)?1:0",
                  [](double u, double v) { return u * u + v * v < 0.001 ? 1.0 : 0.0; }});
-  expect_sheets({"sign(u*v)/2+0.5",
-                 [](double u, double v) { return u * v == 0 ? 0 : (u * v > 0 ? 1.0 : 0.0); }});
+  expect_sheets({"sign(u*v)/2+0.5", [](double u, double v) { return u * v > 0 ? 1.0 : 0.0; }});
   expect_sheets({"floor(hypot(u,v))/2",
                  [](double u, double v) { return std::floor(std::hypot(u, v)) / 2; }, 3});
 }
