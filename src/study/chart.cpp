@@ -196,6 +196,10 @@ class PanelScript {
       const auto& points = curves_[k].points;
       settings(*points.front(), placer, color(k));
       if (points.size() > 1) settings(*points.back(), placer, color(k));
+      for (const Measurement* m : points) {
+        if (m->is_asked && m != points.front() && m != points.back())
+          settings(*m, placer, color(k));
+      }
     }
   }
 
@@ -270,20 +274,26 @@ class PanelScript {
       layers.emplace_back("$front using 1:2 with points pt 7 ps 2.4 lc rgb '#d0d0d0'");
     }
     for (std::size_t k = 0; k < curves_.size(); ++k) curve_layers(k, layers);
-    std::vector<const Measurement*> choices;
-    for (const Curve& curve : curves_) {
-      std::ranges::copy_if(curve.points, std::back_inserter(choices),
-                           [](const Measurement* m) { return m->is_choice; });
-    }
-    if (!choices.empty()) {
-      block("choices", choices);
-      layers.emplace_back("$choices using 1:2 with points pt 6 ps 2.6 lw 2 lc rgb '#000000'");
-    }
+    marks("choices", &Measurement::is_choice, "pt 6 ps 2.6", layers);
+    marks("asked", &Measurement::is_asked, "pt 4 ps 2.4", layers);
     std::string command = "plot ";
     for (std::size_t k = 0; k < layers.size(); ++k) {
       command += (k == 0 ? "" : ", \\\n     ") + layers[k];
     }
     line(command);
+  }
+
+  /// Draws a black mark around the measurements that a member tells.
+  void marks(const std::string& name, bool Measurement::*is_marked, const char* point,
+             std::vector<std::string>& layers) {
+    std::vector<const Measurement*> marked;
+    for (const Curve& curve : curves_) {
+      std::ranges::copy_if(curve.points, std::back_inserter(marked),
+                           [&](const Measurement* m) { return m->*is_marked; });
+    }
+    if (marked.empty()) return;
+    block(name, marked);
+    layers.push_back("$" + name + " using 1:2 with points " + point + " lw 2 lc rgb '#000000'");
   }
 
   void curve_layers(std::size_t k, std::vector<std::string>& layers) {
@@ -328,9 +338,8 @@ std::string make_script(std::span<const Measurement> measurements, const std::st
                       quoted(title).c_str(), 1 - 0.5 * kHead / kHeight);
   script += formatted(
       "set label 2 'thick grey: nothing is both faster and more accurate     hollow: a promise "
-      "that "
-      "was missed, or no answer     ring: what saddle does by itself     bars: middle half of the "
-      "times' at screen 0.5,%.5f center font "
+      "missed, or no answer     ring: saddle by itself     square: --samples     bars: middle half "
+      "of the times' at screen 0.5,%.5f center font "
       "',10' tc rgb '#404040'\n",
       0.5 * kFoot / kHeight);
   script +=

@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -11,12 +12,15 @@
 #include "render/picture/picture_in_tiles.h"
 #include "study/exact_image.h"
 #include "study/methods.h"
+#include "study/uniform_grids.h"
 
 namespace saddle {
 namespace {
 
 const std::array<double, 7> kImageTolerances = {8, 4, 2, 1, 0.5, 0.25, 0.125};
 constexpr double kUsual = 0.5;  // pixels
+/// A mesh of 1024 x 1024 takes longer to draw than any that a picture needs.
+const std::array<int, 6> kImageGrids = {16, 32, 64, 128, 256, 512};
 const std::array<int, 4> kSamples = {1, 2, 3, 4};
 /// A method whose picture takes longer is not asked for a better one.
 constexpr double kImagePatience = 1500;  // milliseconds
@@ -41,7 +45,8 @@ class ImageStudy {
  public:
   ImageStudy(const Subject& subject, const StudyProgress& progress)
       : subject_(subject),
-        progress_(progress, 3 * kImageTolerances.size() + kSamples.size()),
+        grids_(uniform_grids(subject, kImageGrids)),
+        progress_(progress, 3 * kImageTolerances.size() + grids_.size() + kSamples.size()),
         scene_(plain_scene(subject)),
         exact_(draw_exactly(subject)),
         context_(make_context(Backend::Any)) {}
@@ -53,25 +58,32 @@ class ImageStudy {
       scene_.picture.shading = shading;
       compile_shaders();
       for (const double pixels : kImageTolerances) {
-        if (!add(method, rounded(pixels, kSettingDigits) + " px", pixels, subject_.antialias))
-          break;
+        const std::string setting = rounded(pixels, kSettingDigits) + " px";
+        if (!add(method, setting, within(pixels), subject_.antialias)) break;
       }
+    }
+    for (const GridSize& grid : grids_) {
+      const auto mesh = [&] { return std::optional(uniform_mesh(subject_, grid)); };
+      if (!add("uniform grid", setting_of(grid), mesh, subject_.antialias)) break;
+      result_.back().is_asked = is_asked(subject_, grid);
     }
     for (const int n : kSamples) {
       const std::string setting = std::to_string(n) + "x" + std::to_string(n);
-      if (!add("supersampling", setting, kUsual, n)) break;
+      if (!add("supersampling", setting, within(kUsual), n)) break;
     }
     return std::move(result_);
   }
 
  private:
+  using MakeMesh = std::function<std::optional<MeshResult>()>;
+
   /// From the tapes to the picture; what a run does once, context and shaders, is there.
-  bool add(const char* method, const std::string& setting, double pixels, int antialias) {
+  bool add(const char* method, const std::string& setting, const MakeMesh& make, int antialias) {
     progress_.next(method, setting);
     Image image;
     std::size_t triangles = 0;
     const auto draw = [&] {
-      std::optional<MeshResult> mesh = tessellate(pixels);
+      std::optional<MeshResult> mesh = make();
       if (!mesh) return;
       take_user_parameters(subject_.surface, mesh->mesh.uv);
       triangles = mesh->mesh.triangles.size();
@@ -87,13 +99,13 @@ class ImageStudy {
   }
 
   void compile_shaders() {
-    const std::optional<MeshResult> mesh = tessellate(kImageTolerances.front());
+    const std::optional<MeshResult> mesh = within(kImageTolerances.front())();
     if (!mesh) return;
     renderer_.set_surface(scene_, 0, mesh->mesh);
     draw_image(renderer_, scene_, subject_.camera, {64, 48, 1});
   }
 
-  std::optional<MeshResult> tessellate(double pixels) const {
+  MakeMesh within(double pixels) const {
     MeshRequest options;
     const double length = pixels * subject_.pixel;
     options.tolerance = [length](const Probe&) { return Tolerance(length); };
@@ -103,10 +115,11 @@ class ImageStudy {
     options.lines_u = 0;
     options.lines_v = 0;
     options.threads = subject_.threads;
-    return try_mesh(subject_.surface, options);
+    return [this, options] { return try_mesh(subject_.surface, options); };
   }
 
   const Subject& subject_;
+  std::vector<GridSize> grids_;
   PanelProgress progress_;
   Scene scene_;
   ExactImage exact_;

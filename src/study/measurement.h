@@ -53,6 +53,7 @@ struct Measurement {
   bool no_answer = false;  ///< somewhere the method had none; the error is the largest there is
   bool is_limit = false;   ///< no method, but what none can do better than
   bool is_choice = false;  ///< saddle itself does it this way unless it is told otherwise
+  bool is_asked = false;   ///< the grid of --samples
   bool pareto = false;     ///< no other of its panel is both faster and more accurate
 
   bool kept_promise() const { return !promise || error <= *promise; }

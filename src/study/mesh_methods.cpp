@@ -6,11 +6,10 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "mesh/mesher/mesher.h"
-#include "mesh/model/clip.h"
 #include "mesh/model/mesh_report.h"
-#include "mesh/model/tidy.h"
 #include "study/mesh_distance.h"
 #include "study/methods.h"
+#include "study/uniform_grids.h"
 
 namespace saddle {
 namespace {
@@ -27,13 +26,15 @@ class MeshStudy {
  public:
   MeshStudy(const Subject& subject, const StudyProgress& progress)
       : subject_(subject),
-        progress_(progress, kGrids.size() + 3 * kMeshTolerances.size()),
+        grids_(uniform_grids(subject, kGrids)),
+        progress_(progress, grids_.size() + 3 * kMeshTolerances.size()),
         distance_(subject) {}
 
   std::vector<Measurement> measure() {
-    for (const int n : kGrids) {
-      const std::string text = std::to_string(n) + "x" + std::to_string(n);
-      if (!add("uniform", text, {}, [&] { return uniform(n); })) break;
+    for (const GridSize& grid : grids_) {
+      const auto make = [&] { return std::optional(uniform_mesh(subject_, grid)); };
+      if (!add("uniform", setting_of(grid), {}, make)) break;
+      if (!result_.empty()) result_.back().is_asked = is_asked(subject_, grid);
     }
     add_over_tolerances("adaptive", [&](const MeshRequest& options) {
       MeshRequest quick = options;
@@ -78,15 +79,6 @@ class MeshStudy {
     return time.median < kMeshPatience;
   }
 
-  std::optional<MeshResult> uniform(int n) const {
-    MeshResult mesh = mesh_on_grid(subject_.surface, {n, n, 0, 0, subject_.threads});
-    if (subject_.clip) {
-      clip_mesh(*subject_.clip, mesh.mesh);
-      keep_used_corners(mesh.mesh);
-    }
-    return mesh;
-  }
-
   MeshRequest within(double pixels) const {
     MeshRequest options;
     const double length = pixels * subject_.pixel;
@@ -125,6 +117,7 @@ class MeshStudy {
   }
 
   const Subject& subject_;
+  std::vector<GridSize> grids_;
   PanelProgress progress_;
   MeshDistance distance_;
   double least_ = 0;  ///< triangles at a tolerance of one pixel, at least

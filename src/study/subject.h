@@ -26,7 +26,8 @@ struct Subject {
   std::optional<Bounds> clip;  ///< what of the surface is drawn
   FittedCamera camera{};
   std::size_t max_triangles = 4'000'000;
-  double normal_tolerance = 180;  ///< degrees, of meshes that are drawn
+  double normal_tolerance = 180;    ///< degrees, of meshes that are drawn
+  std::optional<GridSize> samples;  ///< the scene's own grid, to compare
 
   Subject(const Scene& of, const SurfaceSpec& in_it)
       : scene(of),

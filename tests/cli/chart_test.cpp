@@ -49,7 +49,7 @@ class ChartCommand : public ProgramTest {};
 TEST_F(ChartCommand, MeasuresEveryMethodAndDrawsTheChart) {
   // A cone: its apex is a singular point in the middle of the range.
   const Outcome run = saddle({"chart", "x=v*cos(u)", "y=v*sin(u)", "z=v", "u=0:tau", "-s", "96x72",
-                              "-o", "a.csv", "-o", "a.png", "-o", "a.svg"});
+                              "--samples", "60x40", "-o", "a.csv", "-o", "a.png", "-o", "a.svg"});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "");  // no progress bar in a pipe
   EXPECT_EQ(run.out, "");
@@ -58,10 +58,12 @@ TEST_F(ChartCommand, MeasuresEveryMethodAndDrawsTheChart) {
 
   std::ifstream in(path("a.csv"));
   std::set<std::string> methods;
+  std::set<std::string> with_samples;  // panels that have the grid of --samples
   std::map<std::string, double> worst;
   for (const Row& row : rows_of(in)) {
     const std::string method = row.at("panel") + "/" + row.at("method");
     methods.insert(method);
+    if (row.at("setting") == "60x40") with_samples.insert(method);
     EXPECT_GT(std::stod(row.at("milliseconds")), 0);
     EXPECT_FALSE(row.at("method") == "least triangles");  // a cone needs none: it is developable
     EXPECT_TRUE(row.at("pareto") == "0" || row.at("pareto") == "1");
@@ -72,9 +74,10 @@ TEST_F(ChartCommand, MeasuresEveryMethodAndDrawsTheChart) {
         "evaluation/tape hoisted", "normals/central differences", "normals/mean of faces",
         "normals/derivative", "normals/derivative with limits", "mesh/uniform", "mesh/adaptive",
         "mesh/adaptive certified", "image/per vertex", "image/per pixel", "image/exact normal",
-        "image/supersampling"}) {
+        "image/uniform grid", "image/supersampling"}) {
     EXPECT_TRUE(methods.contains(method)) << method;
   }
+  EXPECT_EQ(with_samples, (std::set<std::string>{"image/uniform grid", "mesh/uniform"}));
   EXPECT_LT(worst["evaluation/tape hoisted"], 4);
   EXPECT_GT(worst["normals/derivative"], 1);  // the apex
   EXPECT_LT(worst["normals/derivative with limits"], 1e-9);

@@ -89,7 +89,9 @@ void add_picture(const CommandLine& line, Subject& subject) {
   Scene one_pixel = scene;
   one_pixel.mesh.tolerance = ToleranceValue{1, true};
   one_pixel.mesh.samples.reset();
-  const Tessellation mesh = tessellate(one_pixel, subject.spec, {true, false}, line.run.threads);
+  SurfaceSpec spec = subject.spec;
+  spec.samples.reset();
+  const Tessellation mesh = tessellate(one_pixel, spec, {true, false}, line.run.threads);
   const MeshReport& report = mesh.report;
   subject.threads = line.run.threads;
   subject.width = scene.picture.width;
@@ -98,9 +100,10 @@ void add_picture(const CommandLine& line, Subject& subject) {
   subject.max_triangles = std::min<std::size_t>(
       scene.mesh.max_triangles.value_or(kMostChartTriangles), kMostChartTriangles);
   subject.normal_tolerance = scene.mesh.normal_tolerance;
+  subject.samples = samples_of(scene, subject.spec);
   subject.pixel = report.tolerance.value_or(mesh.mesh.bounds.diagonal() / subject.width);
   subject.clip = report.clip ? report.clip : scene.clip.box;
-  one_pixel.surfaces = {subject.spec};
+  one_pixel.surfaces = {spec};
   one_pixel.surfaces[0].in.clear();  // as it is, wherever the scene moves it
   subject.camera =
       fit_to_meshes(one_pixel, std::span(&mesh.mesh, 1), dvec2(subject.width, subject.height));

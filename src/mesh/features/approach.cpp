@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 
+#include "base/numbers.h"
 #include "mesh/features/bisect_together.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/sample_places.h"
@@ -23,8 +24,10 @@ namespace {
 constexpr double kLeaps = 8;
 constexpr std::size_t kFirstSteps = 3;
 
-/// Halvings of a line that leave the parts that end_in_gaps() looks at.
-constexpr int kHalvingsToGap = 8;
+/// Halvings of a line that leave the parts that end_in_gaps() looks at: 3, and 5 more of a line on
+/// which bounds prove something by then. On others they are too wide for any part.
+constexpr int kFirstHalvingsToGap = 3;
+constexpr int kMoreHalvingsToGap = 5;
 /// Lines through more gaps lead across waves. Their first gap is the rim of one, which a mesh would
 /// follow without an end.
 constexpr std::size_t kMostGaps = 2;
@@ -112,6 +115,32 @@ std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> li
   return last;
 }
 
+namespace {
+
+/// The parts of lines on which it is not proved that the surface is defined: all of a line on whose
+/// parts bounds prove nothing, and a few for the rest.
+std::vector<LinePart> maybe_undefined(const Surface& surface, std::vector<LinePart> lines,
+                                      std::size_t& boxes) {
+  std::vector<LinePart> open;
+  std::vector<LinePart> halved =
+      unproved(surface, std::move(lines), kInfinity, boxes, kFirstHalvingsToGap);
+  std::vector<LinePart> some;
+  constexpr std::ptrdiff_t kAll = 1 << kFirstHalvingsToGap;
+  for (auto part = halved.begin(); part != halved.end();) {
+    const auto end = std::find_if(part, halved.end(),
+                                  [&](const LinePart& other) { return other.line != part->line; });
+    auto& to = end - part == kAll ? open : some;
+    to.insert(to.end(), part, end);
+    part = end;
+  }
+  some = unproved(surface, std::move(some), kInfinity, boxes, kMoreHalvingsToGap);
+  open.insert(open.end(), some.begin(), some.end());
+  std::ranges::stable_sort(open, {}, &LinePart::line);
+  return open;
+}
+
+}  // namespace
+
 void end_in_gaps(const Surface& surface, std::span<Line> lines, unsigned threads,
                  const std::optional<Bounds>& box, std::size_t& work) {
   SurfaceEnclosure enclosure(surface, Bounded::Position);
@@ -132,7 +161,7 @@ void end_in_gaps(const Surface& surface, std::span<Line> lines, unsigned threads
   const std::vector<bool> reaches_sheet = are_seen(places);
   std::size_t next = 0;
   std::erase_if(open, [&](const LinePart&) { return !reaches_sheet[next++]; });
-  open = unproved(surface, std::move(open), 0, work, kHalvingsToGap);
+  open = maybe_undefined(surface, std::move(open), work);
   places.clear();
   for (const LinePart& part : open) {
     for (const double share : kAllAlongLine)

@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <iterator>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include <glm/common.hpp>
 
 #include "base/numbers.h"
-#include "mesh/features/approach.h"
+#include "mesh/features/jumps_and_poles.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/proof/continuity.h"
-#include "surface/normal.h"
+#include "surface/surface_enclosure.h"
 
 namespace saddle {
 
@@ -22,153 +23,101 @@ namespace {
 /// Halvings of a line for a proof that it is continuous, before it is searched.
 constexpr int kProofHalvings = 3;
 
-/// Halvings that end most searches for creases; the others go on with heights.
-constexpr int kPlainHalvings = 8;
+/// Jumps of lines, in their order: they have no place in common.
+using JumpsOfLines = std::vector<std::vector<Line>>;
 
-/// Where normals can only jump to their opposites, unit normals nearer to each other have no cusp
-/// between them, unless the surface turns back by 166 degrees.
-constexpr double kNearOpposites = 0.25;
-
-/// Bisects positions, which it evaluates at the ends first. `whole`: the lines that the lines are
-/// parts of.
-std::vector<LocatedDiscontinuity> follow_positions(const Surface& surface,
-                                                   std::span<const Line> lines,
-                                                   std::span<const Line> whole, double delta,
-                                                   unsigned threads, std::size_t& work) {
+/// Halves parts that are as short as kSame on until there are no doubles, unless there is a step
+/// between their ends and they are bounded: poles show only at the last doubles.
+std::vector<LinePart> narrowed(const Surface& surface, std::span<const Line> lines,
+                               const std::vector<LinePart>& parts, double delta, unsigned threads,
+                               std::size_t& work) {
   std::vector<dvec2> uv;
-  for (const Line& line : lines) uv.insert(uv.end(), line.begin(), line.end());
-  const std::vector<SurfacePoint> ends = evaluate(surface, uv, threads);
-  std::vector<Bracket> gaps;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    gaps.push_back(bracket_of(lines[k], whole[k], ends[2 * k], ends[2 * k + 1]));
-  }
+  for (const LinePart& part : parts) uv.insert(uv.end(), part.part.begin(), part.part.end());
+  const std::vector<dvec3> positions = evaluate_positions(surface, uv, threads);
   work += uv.size();
-  return bisect_positions(surface, gaps, delta, Prefer::Largest, kAllHalvings, threads, work);
+  SurfaceEnclosure enclosure(surface, Bounded::Position);
+  const auto is_bounded = [&](const Line& part) {
+    return std::ranges::all_of(enclosure.enclose({part[0], part[1]}),
+                               [](const Interval& a) { return std::isfinite(a.high - a.low); });
+  };
+  std::vector<LinePart> done;
+  std::vector<LinePart> open;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const LinePart& part = parts[k];
+    const bool is_step = glm::distance(positions[2 * k], positions[2 * k + 1]) > delta;
+    const bool is_short = length_of(part.part) <= kSame * length_of(lines[part.line]);
+    const bool is_open = is_short && !(is_step && is_bounded(part.part));
+    (is_open ? open : done).push_back(part);
+  }
+  work += parts.size();
+  open = unproved(surface, std::move(open), delta, work);
+  done.insert(done.end(), open.begin(), open.end());
+  std::ranges::stable_sort(done, {}, &LinePart::line);
+  return done;
+}
+
+/// Appends the part of a line between two known discontinuities, or ends of the line: as two parts
+/// if it is between discontinuities.
+void append_between(std::size_t line, const Line& part, bool is_first_known, bool is_last_known,
+                    std::vector<LinePart>& parts) {
+  if (part[0] == part[1]) return;
+  if (is_first_known && is_last_known) {
+    const dvec2 middle = near_middle(part);
+    parts.push_back({line, {part[0], middle}, 0});
+    parts.push_back({line, {middle, part[1]}, 1});
+  } else {
+    parts.push_back({line, part});
+    if (is_first_known) parts.back().broken_end = 0;
+    if (is_last_known) parts.back().broken_end = 1;
+  }
 }
 
 /// The parts of lines that bounds do not prove to be continuous, beside the discontinuities found
 /// so far. A line with a pole has none: all of it is cut away.
 std::vector<LinePart> unproved_parts(const Surface& surface, std::span<const Line> lines,
-                                     std::span<const LocatedDiscontinuity> found, double delta,
+                                     std::span<const LocatedDiscontinuity> found,
+                                     const JumpsOfLines& jumps, double delta, unsigned threads,
                                      std::size_t& work) {
   std::vector<LinePart> parts;
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    if (found[k].kind == Discontinuity::None) {
-      parts.push_back({k, lines[k]});
-    } else if (found[k].kind == Discontinuity::Jump) {
-      parts.push_back({k, {lines[k][0], found[k].ends[0]}, 1});
-      parts.push_back({k, {found[k].ends[1], lines[k][1]}, 0});
+    if (found[k].kind == Discontinuity::Pole) continue;
+    dvec2 from = lines[k][0];
+    bool is_known = false;
+    for (const Line& jump : jumps[k]) {
+      append_between(k, {from, jump[0]}, is_known, true, parts);
+      from = jump[1];
+      is_known = true;
     }
+    append_between(k, {from, lines[k][1]}, is_known, false, parts);
   }
-  return unproved(surface, std::move(parts), delta, work);
+  parts = unproved(surface, std::move(parts), delta, work, kHalvingsToSame);
+  return narrowed(surface, lines, parts, delta, threads, work);
 }
 
-/// Whether values between the ends of a gap exceed the largest double. The ends are then moved to
-/// the last finite values.
-bool is_beyond_doubles(const Surface& surface, unsigned threads, Line& ends) {
-  const dvec2 middle = near_middle(ends);
-  const dvec3 value = evaluate(surface, std::array{middle}, 1)[0].position;
-  if (is_finite(value) || glm::any(glm::isnan(value))) return false;
-  const std::array<Line, 2> ways = {Line{ends[0], middle}, Line{ends[1], middle}};
-  const std::vector<dvec2> last = last_defined(surface, ways, kAllHalvings, threads);
-  ends = {last[0], last[1]};
-  return true;
-}
+/// A way from a jump of a line to the next known one, or to an end of the line.
+struct WayFromJump {
+  std::size_t line;
+  Line way;
+  bool is_forward;  ///< in the direction of the line
+};
 
-/// Whether the surface diverges on either side of the discontinuities found on lines.
-std::vector<bool> diverge_beside(const Surface& surface, std::span<const Line> lines,
-                                 std::span<const LocatedDiscontinuity> found, double delta,
-                                 unsigned threads) {
-  std::vector<std::size_t> numbers;
-  std::vector<Line> ways;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    if (found[k].kind == Discontinuity::None) continue;
-    numbers.push_back(k);
-    for (std::size_t end = 0; end < 2; ++end) ways.push_back({found[k].ends[end], lines[k][end]});
-  }
-  const std::vector<bool> far = diverge(surface, ways, delta, threads);
-  std::vector<bool> result(lines.size(), false);
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    result[numbers[i]] = far[2 * i] || far[2 * i + 1];
-  }
-  return result;
-}
-
-/// Corrects kinds by diverge(): a pole is where the surface diverges. A gap also grows at a jump if
-/// the ends of its line happen to be alike; beside a pole, rounding makes jumps.
-void verify(const Surface& surface, std::span<const Line> lines, double delta, unsigned threads,
-            std::span<LocatedDiscontinuity> found) {
-  const std::vector<bool> far = diverge_beside(surface, lines, found, delta, threads);
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    if (far[k]) found[k].kind = Discontinuity::Pole;
-    if (far[k] || found[k].kind != Discontinuity::Pole) continue;
-    Line& ends = found[k].ends;
-    if (is_beyond_doubles(surface, threads, ends)) continue;
-    const dvec2 middle = near_middle(ends);
-    const auto length = [](const Line& line) { return glm::distance(line[0], line[1]); };
-    const bool is_gap =
-        (middle == ends[0] || middle == ends[1]) && length(ends) <= kSame * length(lines[k]);
-    found[k].kind = is_gap ? Discontinuity::Jump : Discontinuity::None;
-  }
-}
-
-/// The discontinuities in unproved parts of lines. Around a pole of even order both ends of a part
-/// may be alike, so that diverge() decides.
-std::vector<LocatedDiscontinuity> look_at(const Surface& surface, std::span<const Line> lines,
-                                          std::span<const LinePart> unproved_parts, double delta,
-                                          unsigned threads, std::size_t& work) {
-  std::vector<Line> parts;
-  std::vector<Line> whole;
-  std::vector<Line> ways;
-  for (const auto& [line, part, broken_end] : unproved_parts) {
-    parts.push_back(part);
-    whole.push_back(lines[line]);
-    ways.push_back({part[0], lines[line][0]});
-    ways.push_back({part[1], lines[line][1]});
-  }
-  std::vector<LocatedDiscontinuity> found =
-      follow_positions(surface, parts, whole, delta, threads, work);
-  const std::vector<bool> far = diverge(surface, ways, delta, threads);
-  const std::vector<bool> beside = diverge_beside(surface, parts, found, delta, threads);
-  work += kApproach.size() * ways.size();
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool is_pole = far[2 * i] || far[2 * i + 1] || beside[i];
-    if (found[i].kind == Discontinuity::None) found[i].ends = parts[i];
-    // An undefined place is no pole unless the surface diverges: sin(1/u) does not.
-    if (is_pole) found[i].kind = Discontinuity::Pole;
-    if (!is_pole && found[i].kind == Discontinuity::Pole &&
-        !is_beyond_doubles(surface, threads, found[i].ends)) {
-      found[i].kind = Discontinuity::None;
-    }
-  }
-  return found;
-}
-
-/// The parts of lines beside their jumps in which there are steps that slopes do not explain: other
-/// jumps, nearer than bounds tell. Places are looked at 4 times as near each, and down to kSame.
-std::vector<LinePart> steps_beside(const Surface& surface, std::span<const Line> lines,
-                                   std::span<const LocatedDiscontinuity> found, double delta,
-                                   unsigned threads, std::size_t& work) {
+/// The parts of ways in which there are steps that slopes do not explain: other jumps, nearer than
+/// bounds tell. Places are looked at 4 times as near each, and down to kSame.
+std::vector<LinePart> steps_on(const Surface& surface, std::span<const WayFromJump> ways,
+                               double delta, unsigned threads, std::size_t& work) {
   constexpr double kNearer = 0.25;
   std::vector<double> shares = {1};  // of the way from the jump
   while (shares.back() > kSame) shares.push_back(kNearer * shares.back());
   shares.push_back(0);
-  std::vector<std::size_t> numbers;
   std::vector<dvec2> uv;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    if (found[k].kind != Discontinuity::Jump) continue;
-    for (std::size_t end = 0; end < 2; ++end) {
-      numbers.push_back(k);
-      for (const double share : shares)
-        uv.push_back(glm::mix(found[k].ends[end], lines[k][end], share));
-    }
+  for (const auto& [line, way, is_forward] : ways) {
+    for (const double share : shares) uv.push_back(glm::mix(way[0], way[1], share));
   }
   const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
   work += uv.size();
   std::vector<LinePart> parts;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const bool is_first = i % 2 == 0;
-    const std::size_t first = i * shares.size();
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const std::size_t first = k * shares.size();
     for (std::size_t j = first; j + 1 < first + shares.size(); ++j) {
       const dvec2 way = uv[j + 1] - uv[j];
       const auto slope = [&](const SurfacePoint& p) { return way.x * p.r_u + way.y * p.r_v; };
@@ -176,7 +125,7 @@ std::vector<LinePart> steps_beside(const Surface& surface, std::span<const Line>
       const double gap = glm::length(step - 0.5 * (slope(points[j]) + slope(points[j + 1])));
       if (!(gap > delta)) continue;
       const Line part = {uv[j], uv[j + 1]};
-      parts.push_back({numbers[i], is_first ? part : Line{part[1], part[0]}});
+      parts.push_back({ways[k].line, ways[k].is_forward ? Line{part[1], part[0]} : part});
     }
   }
   return parts;
@@ -211,30 +160,127 @@ void add(const LocatedDiscontinuity& more, const Line& line, LocatedDiscontinuit
   }
 }
 
-/// Discontinuities of lines that are not proved to be continuous.
-std::vector<LocatedDiscontinuity> find_discontinuities_in(const Surface& surface,
-                                                          std::span<const Line> lines, double delta,
-                                                          unsigned threads, std::size_t& work) {
-  std::vector<LocatedDiscontinuity> found =
-      follow_positions(surface, lines, lines, delta, threads, work);
-  verify(surface, lines, delta, threads, found);
-  std::vector<LinePart> open = unproved_parts(surface, lines, found, delta, work);
-  const auto steps = steps_beside(surface, lines, found, delta, threads, work);
-  open.insert(open.end(), steps.begin(), steps.end());
-  const auto from_known = [&](const LinePart& part) {
-    const LocatedDiscontinuity& known = found[part.line];
-    return known.kind == Discontinuity::None ? 0 : glm::distance(part.part[0], known.ends[0]);
-  };
-  std::ranges::stable_sort(open, [&](const LinePart& a, const LinePart& b) {
-    return a.line != b.line ? a.line < b.line : from_known(a) < from_known(b);
-  });
-  const std::vector<LocatedDiscontinuity> more =
-      look_at(surface, lines, open, delta, threads, work);
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    add(more[i], lines[open[i].line], found[open[i].line]);
+/// Searches lines that are not proved to be continuous.
+class LineSearch {
+ public:
+  LineSearch(const Surface& surface, std::span<const Line> lines, double delta, unsigned threads,
+             std::size_t& work)
+      : surface_(surface),
+        lines_(lines),
+        delta_(delta),
+        threads_(threads),
+        work_(work),
+        found_(follow_lines(surface, lines, delta, threads, work)),
+        jumps_(lines.size()),
+        is_complete_(lines.size()) {}
+
+  std::vector<LocatedDiscontinuity> run() {
+    follow_steps();
+    const std::vector<LinePart> open =
+        unproved_parts(surface_, lines_, found_, jumps_, delta_, threads_, work_);
+    look(open);
+    note_complete(open);
+    add_all();
+    return std::move(found_);
   }
-  return found;
-}
+
+ private:
+  /// Rounds of steps beside jumps that steps led to: those of a difference of differences.
+  static constexpr int kStepRounds = 3;
+
+  /// Finds the jumps to which steps beside known jumps lead. Where there are others, proofs take
+  /// tens of boxes for each.
+  void follow_steps() {
+    std::vector<WayFromJump> ways;
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      if (found_[k].kind == Discontinuity::Jump) add_jump(k, found_[k].ends, ways);
+    }
+    for (int round = 0; round < kStepRounds && !ways.empty(); ++round) {
+      const auto steps = steps_on(surface_, std::exchange(ways, {}), delta_, threads_, work_);
+      const std::size_t first = more_.size();
+      look(steps);
+      for (std::size_t i = first; i < more_.size(); ++i) {
+        if (more_[i].kind == Discontinuity::Jump) add_jump(parts_[i].line, more_[i].ends, ways);
+      }
+    }
+  }
+
+  /// Looks at parts of lines.
+  void look(const std::vector<LinePart>& parts) {
+    const auto at = look_at(surface_, lines_, parts, delta_, threads_, work_);
+    parts_.insert(parts_.end(), parts.begin(), parts.end());
+    more_.insert(more_.end(), at.begin(), at.end());
+  }
+
+  /// Adds a jump to those of its line, and the ways from it if it is a new one.
+  void add_jump(std::size_t number, const Line& jump, std::vector<WayFromJump>& ways) {
+    const Line& line = lines_[number];
+    std::vector<Line>& jumps = jumps_[number];
+    const double same = kSame * length_of(line);
+    const auto is_same = [&](const Line& at) { return glm::distance(at[0], jump[0]) <= same; };
+    const auto known = std::ranges::find_if(jumps, is_same);
+    if (known != jumps.end()) {
+      *known = hull(*known, jump, line);
+      return;
+    }
+    const auto next = std::ranges::find_if(jumps, [&](const Line& at) {
+      return glm::distance(line[0], at[0]) > glm::distance(line[0], jump[0]);
+    });
+    ways.push_back(
+        {number, {jump[0], next == jumps.begin() ? line[0] : (*std::prev(next))[1]}, false});
+    ways.push_back({number, {jump[1], next == jumps.end() ? line[1] : (*next)[0]}, true});
+    jumps.insert(next, jump);
+  }
+
+  /// Notes the lines whose jumps are all known: their unproved parts are few, no longer than kSame,
+  /// and without poles.
+  void note_complete(std::span<const LinePart> open) {
+    for (std::size_t k = 0; k < lines_.size(); ++k)
+      is_complete_[k] = found_[k].kind == Discontinuity::Jump;
+    std::vector<std::size_t> counts(lines_.size(), 0);
+    for (const LinePart& part : open) {
+      const bool is_short = length_of(part.part) <= kSame * length_of(lines_[part.line]);
+      if (!is_short || ++counts[part.line] == kMostLineParts) is_complete_[part.line] = false;
+    }
+    std::vector<WayFromJump> unused;
+    for (std::size_t i = 0; i < more_.size(); ++i) {
+      const std::size_t k = parts_[i].line;
+      if (more_[i].kind == Discontinuity::Pole) is_complete_[k] = false;
+      if (more_[i].kind == Discontinuity::Jump) add_jump(k, more_[i].ends, unused);
+    }
+  }
+
+  /// Adds discontinuities to those that lines were known to have first, the nearest ones first.
+  void add_all() {
+    std::vector<std::size_t> order(more_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto from_known = [&](std::size_t i) {
+      const LocatedDiscontinuity& known = found_[parts_[i].line];
+      return known.kind == Discontinuity::None ? 0
+                                               : glm::distance(parts_[i].part[0], known.ends[0]);
+    };
+    std::vector<double> distances(more_.size());
+    std::ranges::transform(order, distances.begin(), from_known);
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+      return std::pair(parts_[a].line, distances[a]) < std::pair(parts_[b].line, distances[b]);
+    });
+    for (const std::size_t i : order) add(more_[i], lines_[parts_[i].line], found_[parts_[i].line]);
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      if (is_complete_[k]) found_[k].jumps = std::move(jumps_[k]);
+    }
+  }
+
+  const Surface& surface_;
+  std::span<const Line> lines_;
+  double delta_;
+  unsigned threads_;
+  std::size_t& work_;
+  std::vector<LocatedDiscontinuity> found_;
+  JumpsOfLines jumps_;
+  std::vector<bool> is_complete_;           ///< the line has no other jumps
+  std::vector<LinePart> parts_;             ///< that were looked at
+  std::vector<LocatedDiscontinuity> more_;  ///< found in them
+};
 
 }  // namespace
 
@@ -252,7 +298,7 @@ std::vector<LocatedDiscontinuity> find_discontinuities(const Surface& surface,
   }
   std::vector<LocatedDiscontinuity> result(lines.size());
   const std::vector<LocatedDiscontinuity> found =
-      find_discontinuities_in(surface, open_lines, delta, threads, work);
+      LineSearch(surface, open_lines, delta, threads, work).run();
   for (std::size_t i = 0; i < open.size(); ++i) result[open[i]] = found[i];
   return result;
 }
@@ -260,7 +306,7 @@ std::vector<LocatedDiscontinuity> find_discontinuities(const Surface& surface,
 std::vector<std::vector<Line>> find_all_jumps(const Surface& surface, std::span<const Line> lines,
                                               std::span<const LocatedDiscontinuity> found,
                                               double delta, unsigned threads, std::size_t& work) {
-  std::vector<std::vector<Line>> jumps(lines.size());
+  JumpsOfLines jumps(lines.size());
   std::vector<std::size_t> numbers;  // of the lines of parts that were not searched
   std::vector<Line> parts;
   const auto split = [&](std::size_t k, const Line& part, const LocatedDiscontinuity& at) {
@@ -275,7 +321,13 @@ std::vector<std::vector<Line>> find_all_jumps(const Surface& surface, std::span<
       parts.push_back(rest);
     }
   };
-  for (std::size_t k = 0; k < lines.size(); ++k) split(k, lines[k], found[k]);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (found[k].jumps.empty()) {
+      split(k, lines[k], found[k]);
+    } else {
+      jumps[k] = found[k].jumps;
+    }
+  }
   while (!parts.empty()) {
     const auto of = std::exchange(numbers, {});
     const auto searched = std::exchange(parts, {});
@@ -291,36 +343,6 @@ std::vector<std::vector<Line>> find_all_jumps(const Surface& surface, std::span<
                       [&](const Line& jump) { return glm::distance(lines[k][0], jump[0]); });
   }
   return jumps;
-}
-
-std::vector<LocatedDiscontinuity> find_creases(const Surface& surface, std::span<const Line> lines,
-                                               std::span<const std::array<dvec3, 2>> normals,
-                                               unsigned threads, std::size_t& work) {
-  const double chord = 2 * std::sin(0.5 * kCreaseDegrees * std::numbers::pi / 180);
-  const auto [open, only_cusps] = unproved_normals(surface, lines, work);
-  std::vector<Bracket> gaps;
-  gaps.reserve(open.size());
-  for (const std::size_t k : open) gaps.push_back({lines[k], lines[k], normals[k]});
-  const auto normal = [](const SurfacePoint& point) {
-    return normal_direction(point).value_or(dvec3(kNan));
-  };
-  const auto height = [](const std::array<dvec3, 2>& at_ends, const SurfacePoint& point) {
-    return glm::dot(glm::cross(point.r_u, point.r_v), at_ends[0] - at_ends[1]);
-  };
-  const BisectedVector turning = {.value = normal,
-                                  .height = height,
-                                  .delta = only_cusps ? kNearOpposites : chord,
-                                  .beyond = chord,
-                                  .are_positions = false,
-                                  .plain = kPlainHalvings};
-  const std::vector<LocatedDiscontinuity> found =
-      bisect_discontinuities(surface, gaps, turning, threads, work);
-  std::vector<LocatedDiscontinuity> result(lines.size());
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    result[open[i]] = found[i];
-    result[open[i]].is_cusp = only_cusps && found[i].kind != Discontinuity::None;
-  }
-  return result;
 }
 
 }  // namespace saddle

@@ -1,5 +1,5 @@
-// Finds jumps, poles, creases and cusps along straight lines of parameters, and tells them from
-// steep slopes and bends: by bisection where samples show a gap, and by interval proofs elsewhere.
+// Finds jumps and poles along straight lines of parameters, and tells them from steep slopes: by
+// bisection where samples show a gap, and by interval proofs elsewhere.
 #pragma once
 
 #include <array>
@@ -26,12 +26,5 @@ std::vector<LocatedDiscontinuity> find_discontinuities(const Surface& surface,
 std::vector<std::vector<Line>> find_all_jumps(const Surface& surface, std::span<const Line> lines,
                                               std::span<const LocatedDiscontinuity> found,
                                               double delta, unsigned threads, std::size_t& work);
-
-/// Searches lines for jumps of unit normals, as find_discontinuities() does. A jump by more than
-/// kCreaseDegrees is a crease, or a cusp if the normal turns to its opposite. `normals`: along r_u
-/// x r_v, at the ends of each line.
-std::vector<LocatedDiscontinuity> find_creases(const Surface& surface, std::span<const Line> lines,
-                                               std::span<const std::array<dvec3, 2>> normals,
-                                               unsigned threads, std::size_t& work);
 
 }  // namespace saddle

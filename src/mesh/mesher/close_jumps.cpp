@@ -1,5 +1,7 @@
 #include "mesh/mesher/close_jumps.h"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 #include "mesh/tree/cell_tree.h"
@@ -11,6 +13,13 @@ namespace {
 /// Jumps within a quarter of a side are one feature: what is between them is a strip. Wider ones
 /// are parted by halving.
 constexpr double kClose = 0.25;
+
+/// Whether two known jumps of a line are too far apart to be one feature, wherever others are.
+bool is_wide(const LocatedDiscontinuity& found, const Line& line) {
+  const double half = std::min(glm::distance(*found.between, found.ends[0]),
+                               glm::distance(*found.between, found.ends[1]));
+  return 2 * half > kClose * glm::distance(line[0], line[1]);
+}
 
 /// Gives the two vertices of a jump one place. The ends of a side keep theirs.
 void share_place(const Side& side, const std::array<std::uint32_t, 2>& beside, CellTree& tree) {
@@ -67,8 +76,10 @@ std::vector<bool> add_strips(std::span<const Side> sides,
   std::vector<LocatedDiscontinuity> known;
   for (std::size_t k = 0; k < sides.size(); ++k) {
     if (found[k].kind != Discontinuity::Jump || !found[k].between) continue;
+    const Line line = {tree.mesh().uv[sides[k][0]], tree.mesh().uv[sides[k][1]]};
+    if (is_wide(found[k], line)) continue;
     numbers.push_back(k);
-    with_more.push_back({tree.mesh().uv[sides[k][0]], tree.mesh().uv[sides[k][1]]});
+    with_more.push_back(line);
     known.push_back(found[k]);
   }
   if (numbers.empty()) return is_done;

@@ -7,6 +7,7 @@
 
 #include "mesh/features/approach.h"
 #include "mesh/features/cliffs.h"
+#include "mesh/features/creases.h"
 #include "mesh/features/discontinuities.h"
 #include "mesh/mesher/close_jumps.h"
 #include "mesh/mesher/pole_features.h"

@@ -112,6 +112,8 @@ inline constexpr std::size_t kMostFollowed = 64;
 inline constexpr int kHalvingsOfSecondOrder = 12;
 /// Halvings of a line to 1e-6 of it, as near as kNearly.
 inline constexpr int kHalvingsToNearly = 20;
+/// Halvings of a line to kSame of it.
+inline constexpr int kHalvingsToSame = 30;
 /// Halvings of a line to 1e-12 of it: a fourth root rises to 1e-3 there.
 inline constexpr int kHalvingsToEdge = 2 * kHalvingsToNearly;
 /// Halvings of a line until there are no doubles between its ends. Next to 0 doubles go on: there

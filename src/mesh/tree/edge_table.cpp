@@ -28,10 +28,10 @@ void EdgeTable::set_feature(std::uint32_t a, std::uint32_t b, std::optional<Edge
   EdgeRecord& edge = record(a, b);
   if (!edge.is_searched) searched_.push_back(static_cast<std::uint32_t>(&edge - records_.data()));
   edge.is_searched = true;
-  if (edge.feature) vertex_count_ -= edge.feature->count_new_vertices();
+  if (!edge.is_halved && edge.feature) vertex_count_ -= edge.feature->count_new_vertices();
   edge.feature = feature;
   if (!feature) return;
-  vertex_count_ += feature->count_new_vertices();
+  if (!edge.is_halved) vertex_count_ += feature->count_new_vertices();
   has_features_ = true;
   has_pole_features_ = has_pole_features_ || feature->kind == FeatureKind::Pole;
   vertices_.mark_beside_feature(a);
@@ -40,6 +40,13 @@ void EdgeTable::set_feature(std::uint32_t a, std::uint32_t b, std::optional<Edge
   const dvec2 middle = 0.5 * (vertices_.place_between(a) + vertices_.place_between(b));
   crossed_cells_.add(middle);
   revisions_.mark(middle);
+}
+
+void EdgeTable::discount_feature(std::uint32_t a, std::uint32_t b) {
+  if (!feature(a, b)) return;
+  EdgeRecord& edge = record(a, b);
+  if (!edge.is_halved) vertex_count_ -= edge.feature->count_new_vertices();
+  edge.is_halved = true;
 }
 
 void EdgeTable::count_cliffs(std::size_t sought, std::size_t found) {

@@ -88,6 +88,7 @@ struct EdgeRecord {
   std::optional<EdgeFeature> feature;
   std::uint32_t pole = kNoIndex;               ///< number of the pole that the side leads to
   bool is_searched = false;                    ///< `feature` says what the search found
+  bool is_halved = false;                      ///< the vertices of `feature` do not count
   bool is_continuous = false;                  ///< positions are; normals need not be
   std::optional<dvec2> between_features = {};  ///< parameters; there are more than `feature`
 };
@@ -173,10 +174,7 @@ class EdgeTable {
   /// Vertices that features add to sides which are not halved.
   std::size_t vertex_count() const { return vertex_count_; }
   /// A side is halved: features of its halves take the place of its own.
-  void discount_feature(std::uint32_t a, std::uint32_t b) {
-    const auto cut = feature(a, b);
-    if (cut) vertex_count_ -= cut->count_new_vertices();
-  }
+  void discount_feature(std::uint32_t a, std::uint32_t b);
 
  private:
   const EdgeRecord* find(std::uint32_t a, std::uint32_t b) const {

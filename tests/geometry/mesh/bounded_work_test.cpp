@@ -182,8 +182,8 @@ TEST(BoundedWork, CountsTheSearchForCutsAsTriangles) {
   const MeshResult result = try_mesh(poles, options).value();
   EXPECT_TRUE(result.report.reached_limit);
   EXPECT_LT(result.mesh.triangles.size(), 40'000U);
-  // The budget, with as many points again for validation.
-  EXPECT_LT(result.report.evaluations, kPlacesPerSample * most_effort(options.max_triangles));
+  // Two for each place of the least effort: most are looks along sides, at a point or a box each.
+  EXPECT_LT(result.report.evaluations, 2 * kLeastEffort + kLeastEffort / 4);
   EXPECT_TRUE(result.report.worst_place);
 }
 

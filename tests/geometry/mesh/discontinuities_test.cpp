@@ -1,8 +1,12 @@
 // Where normals or positions jump along lines of parameters, to the last double on either side.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
+#include "mesh/features/creases.h"
 #include "mesh/features/discontinuities.h"
 #include "surface/normal.h"
 #include "surface_from_text.h"
@@ -102,6 +106,45 @@ TEST(JumpSearch, FindsJumpsToAnUprightRoot) {
       EXPECT_GT(std::fabs(ends[0].position.z - ends[1].position.z), 0.99) << v;
     }
   }
+}
+
+/// Three jumps as far apart as the step of a difference, 1e-5 of the line and less.
+const char* const kThreeSteps = "(u>0.3?1:0)-2*(u>0.30001?1:0)+3*(u>0.300015?1:0)";
+
+TEST(JumpSearch, FindsAllJumpsOfALineAtOnce) {
+  const Surface steps = height_field(kThreeSteps, {-1, 2, -1, 1});
+  for (const Line& line :
+       {Line{dvec2(-1, 0.3), dvec2(2, 0.3)}, Line{dvec2(2, 0.3), dvec2(-1, 0.3)}}) {
+    std::size_t work = 0;
+    const auto found = find_discontinuities(steps, std::span(&line, 1), 0.01, 1, work);
+    EXPECT_LT(work, 600U);
+    const std::size_t before = work;
+    const auto jumps = find_all_jumps(steps, std::span(&line, 1), found, 0.01, 1, work)[0];
+    EXPECT_EQ(work, before);
+    ASSERT_EQ(jumps.size(), 3U);
+    std::array places = {0.3, 0.30001, 0.300015};
+    if (line[0].x > line[1].x) std::ranges::reverse(places);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_LE(std::min(jumps[k][0].x, jumps[k][1].x), places[k]);
+      EXPECT_GE(std::max(jumps[k][0].x, jumps[k][1].x), places[k]);
+      EXPECT_LE(doubles_between(std::min(jumps[k][0].x, jumps[k][1].x),
+                                std::max(jumps[k][0].x, jumps[k][1].x)),
+                2);
+    }
+  }
+}
+
+TEST(JumpSearch, SearchesOnWhereBoundsProveNothing) {
+  // The bounds of the difference, which is 1 to rounding, hold 0 on all lines that are searched.
+  const std::string one = "((u+1e-9)-u)/1e-9";
+  const Surface steps =
+      height_field("(" + std::string(kThreeSteps) + ")/(" + one + ")", {-1, 2, -1, 1});
+  const Line line = {dvec2(-1, 0.3), dvec2(2, 0.3)};
+  std::size_t work = 0;
+  const auto found = find_discontinuities(steps, std::span(&line, 1), 0.01, 1, work);
+  EXPECT_EQ(found[0].kind, Discontinuity::Jump);
+  EXPECT_TRUE(found[0].jumps.empty());
+  EXPECT_EQ(find_all_jumps(steps, std::span(&line, 1), found, 0.01, 1, work)[0].size(), 3U);
 }
 
 }  // namespace

@@ -84,6 +84,22 @@ TEST(Continuity, IsNotProvedOnEitherSideOfAKnownBreak) {
   for (const LinePart& part : found) EXPECT_LT(part.part[1].x - part.part[0].x, 1e-14);
 }
 
+TEST(Continuity, IsGivenUpSoonWhereBoundsAreTooWide) {
+  // The bounds of the difference, which is 1 to rounding, hold 0.
+  const Surface surface = height_field("1/(((u+1e-9)-u)/1e-9)");
+  std::size_t boxes = 0;
+  const auto parts = unproved(surface, lines_along_u(), 1e-3, boxes);
+  EXPECT_EQ(parts.size(), kMostLineParts * kLines);  // all of each line
+  EXPECT_LT(boxes, 15U * kLines);
+}
+
+TEST(Continuity, IsProvedWhereBoundsAreTooWideForLongParts) {
+  // A part is proved if it is shorter than the step: 1/25 of a line.
+  const Surface surface = height_field("1/(((u+2e-3)-u)/2e-3)");
+  std::size_t boxes = 0;
+  EXPECT_TRUE(unproved(surface, lines_along_u(), 1e-3, boxes).empty());
+}
+
 TEST(Continuity, IsNotAskedForBelowTheJumpsThatMatter) {
   EXPECT_TRUE(unproved_of("sign(u-0.31)*abs(u-0.31)^3", 1e-3).empty());
   EXPECT_TRUE(unproved_of("floor(2*u+0.1)*1e-4", 1e-3).empty());

@@ -49,6 +49,20 @@ TEST_F(Edges, AreUnknownAtFirst) {
   EXPECT_FALSE(edges_.has_poles());
 }
 
+TEST_F(Edges, CountTheVerticesOfSidesThatAreNotHalved) {
+  edges_.set_feature(1, 5, EdgeFeature{FeatureKind::Jump, 1, 20, 21});
+  edges_.set_feature(5, 6, EdgeFeature{FeatureKind::Jump, 5, 22, 23});
+  EXPECT_EQ(edges_.vertex_count(), 4U);
+  edges_.discount_feature(1, 5);
+  EXPECT_EQ(edges_.vertex_count(), 2U);
+  // A search that finds another feature later, or none, takes nothing away.
+  edges_.set_feature(1, 5, EdgeFeature{FeatureKind::Jump, 1, 24, 25});
+  EXPECT_EQ(edges_.vertex_count(), 2U);
+  edges_.set_feature(1, 5, std::nullopt);
+  edges_.discount_feature(1, 5);
+  EXPECT_EQ(edges_.vertex_count(), 2U);
+}
+
 TEST_F(Edges, TellTheSameFromEitherEnd) {
   edges_.set_feature(5, 1, EdgeFeature{FeatureKind::Jump, 1, 20, 21});
   for (const auto& [a, b] : {Side{1, 5}, Side{5, 1}}) {
