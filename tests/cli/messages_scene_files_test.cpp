@@ -193,6 +193,8 @@ constexpr FileRow kSurfaces[] = {
      "", ""},
     {"[params]\nf = 2\n[functions]\n'f(s)' = 's'\n", "6:10: f(s): 'f' is defined twice",
      "choose another name", "[params]\nf = 2\n[functions]\n'g(s)' = 's'\n"},
+    {"[params]\n'k(s)' = 's'\n", "4:1: 'k(s)' is not a name", "functions go into [functions]",
+     "[functions]\n'k(s)' = 's'\n"},
     {"[params]\nu = 2\n", "4:5: u: 'u' cannot be defined", "u, v and t are what formulas depend on",
      "[params]\nw = 2\n"},
     {"parameters = ['p', 'q']\nu = [0, 1]\n", "4:1: unknown key 'u'", "p q",
@@ -269,6 +271,8 @@ constexpr MessageRow kNoScenes[] = {
      ".stl has no room for one; these have: .png .ply .obj", ""},
     {"large.toml -o a.toml", "large.toml is larger than 4 MiB", "saddle show torus prints one",
      "show torus"},
+    {"large.obj -o a.toml", "large.obj:1:1: a scene file of more than 4 MiB",
+     "saddle show torus prints a scene", "show torus"},
 };
 
 TEST_F(SceneFileMessages, OfFilesWithoutAScene) {
@@ -279,6 +283,9 @@ TEST_F(SceneFileMessages, OfFilesWithoutAScene) {
   ASSERT_EQ(run("torus -s 32x24 --reference sphere.png").status, 1);
   std::filesystem::rename(path("sphere.png.diff.png"), path("bare.png"));
   std::ofstream(path("large.toml")) << std::string(std::size_t{5} << 20, ' ');
+  std::ofstream large(path("large.obj"));
+  for (int i = 0; i < 30'000; ++i) large << "# scene # " << std::string(180, 'a') << '\n';
+  large.close();
   expect_errors(kNoScenes, 2);
 }
 

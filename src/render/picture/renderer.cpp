@@ -101,7 +101,9 @@ std::vector<PlacedMesh> Renderer::items_of(const Scene& scene, const FittedCamer
                                            double unit, const Look& look) const {
   std::vector<PlacedMesh> items;
   for (const Instance& instance : instances(scene)) {
-    PlacedMesh item(instance, meshes_[instance.surface], camera, unit);
+    const GpuMesh& mesh = meshes_[instance.surface];
+    if (mesh.triangle_count() == 0) continue;  // a line or a dot
+    PlacedMesh item(instance, mesh, camera, unit);
     item.opacity = scene.surfaces[instance.surface].opacity;
     if (item.opacity < 1 || look.wireframe) item.two_sided = true;
     if (item.is_visible()) items.push_back(item);
