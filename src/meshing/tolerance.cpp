@@ -187,8 +187,8 @@ std::vector<View> views(const Scene& scene, const SurfaceSpec& spec, const Purpo
 /// A view, and a size that no pixel on the surface is below.
 using BoundedView = std::pair<double, const View*>;
 
-/// Those that show something, by their bounds. Where a camera's place is given, the corners of a
-/// surface's box bound its pixels.
+/// The views that show something, by their bounds. Where a camera's place is given, the corners of
+/// a surface's box bound its pixels.
 std::vector<BoundedView> by_bounds(const std::vector<View>& views, const PictureSettings& picture,
                                    const VisiblePart& part) {
   std::vector<BoundedView> result;

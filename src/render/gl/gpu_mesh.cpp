@@ -81,9 +81,9 @@ void upload_pairs(std::span<const dvec2> pairs, Attribute attribute, const GlBuf
   glVertexAttribPointer(attribute, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
-/// The pieces of all chains. As strips with restarts between them llvmpipe would begin anew for each
-/// chain. GL leaves out the last pixel of a line, so that the next one may begin there: each chain
-/// goes back one step at its end.
+/// The pieces of all chains. As strips with restarts between them llvmpipe would begin anew for
+/// each chain. GL leaves out the last pixel of a line, so that the next one may begin there: each
+/// chain goes back one step at its end.
 std::vector<GLuint> line_indices_of(std::span<const std::vector<std::uint32_t>> lines) {
   std::vector<GLuint> indices;
   for (const auto& chain : lines) {

@@ -101,12 +101,10 @@ std::vector<PlacedMesh> Renderer::items_of(const Scene& scene, const FittedCamer
                                            double unit, const Look& look) const {
   std::vector<PlacedMesh> items;
   for (const Instance& instance : instances(scene)) {
-    const GpuMesh& mesh = meshes_[instance.surface];
-    if (mesh.triangle_count() == 0) continue;  // a line or a dot
-    PlacedMesh item(instance, mesh, camera, unit);
+    PlacedMesh item(instance, meshes_[instance.surface], camera, unit);
     item.opacity = scene.surfaces[instance.surface].opacity;
     if (item.opacity < 1 || look.wireframe) item.two_sided = true;
-    if (item.is_visible()) items.push_back(item);
+    if (item.is_visible() && meshes_[item.surface].triangle_count() > 0) items.push_back(item);
   }
   return items;
 }

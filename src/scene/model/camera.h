@@ -94,8 +94,8 @@ FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspec
 /// it.
 Camera drawn_camera(const Scene& scene);
 
-/// Its view and up vector have a length, its distance and zoom are positive, its fov is in (0, 180),
-/// and all of them, with the target, are within the range of doubles.
+/// Its view and up vector have a length, its distance and zoom are positive, its fov is in (0,
+/// 180), and all of them, with the target, are within the range of doubles.
 bool is_possible(const Camera& camera);
 
 /// Where a picture of `size` pixels shows a point of the world, from the upper left corner; nothing
