@@ -133,7 +133,10 @@ Error caught_error() {
   } catch (const std::length_error&) {
     return {Status::Machine, "out of memory: more is asked for than any machine has"};
   } catch (const Overtime&) {
-    return {Status::Machine, time_refusal(), {}, "more time, a larger --tolerance or --size"};
+    return {Status::Machine,
+            time_refusal(),
+            {},
+            "a larger --max-time allows more; a larger --tolerance or a smaller --size takes less"};
   } catch (const std::system_error& error) {
     if (error.code() != std::errc::resource_unavailable_try_again) {
       return {Status::Machine, error.what()};

@@ -116,9 +116,9 @@ struct Scope::Impl {
     const bool is_own_parameter = definition.own && independent_variable(name).has_value();
     if (name == "u" || name == "v" || name == "t" || is_own_parameter) {
       throw name_error(definition, "'" + name + "' cannot be defined",
-                       is_own_parameter ? name + " is a parameter of the surface"
-                                        : "u, v and t are what formulas depend on; choose another "
-                                          "name");
+                       is_own_parameter && name != "t"
+                           ? name + " is a parameter of the surface; choose another name"
+                           : "u, v and t are what formulas depend on; choose another name");
     }
     const BuiltIn* const built_in = find_built_in(name);
     if (built_in != nullptr && !can_be_hidden(*built_in)) {
@@ -218,8 +218,10 @@ struct Scope::Impl {
       throw circle(static_cast<std::size_t>(&entry - entries.data()));
     }
     if (++instance_count > kMaxInstances) {
-      throw name_error(entry.definition, "functions are called with more than 2000 other constants",
-                       "use fewer levels");
+      throw name_error(entry.definition,
+                       "functions are called with more than 2000 different constants",
+                       "a function with sum, prod or diff is made anew for each constant; use "
+                       "fewer");
     }
     const Run run(*this, entry);
     FunctionForTypes made;

@@ -165,7 +165,8 @@ class MeshFindings {
     const double least = report_.least_triangles;
     if (!(least > static_cast<double>(result_.mesh.triangles.size()))) return "";
     const double unit = std::pow(10.0, std::max(std::floor(std::log10(least)) - 1, 0.0));
-    return ", the tolerance needs " + formatted("%.0f at least", std::floor(least / unit) * unit);
+    return ", the tolerance needs " + formatted("%.0f", std::floor(least / unit) * unit) +
+           " at least";
   }
 
   /// Why the mesh is off, and what helps; empty if it is within its tolerance.

@@ -106,6 +106,8 @@ class PixelSize {
   }
 
   bool depends_on_place() const { return is_close_; }
+  /// The least on all of the surface; 0: it is not known.
+  double least() const { return is_close_ ? 0 : nearest_; }
 
   /// The least within `reach` of a place of the surface. An eye that is far enough to see most of
   /// the surface has one size for all of it, that of the nearest part.
@@ -180,6 +182,25 @@ std::vector<View> views(const Scene& scene, const SurfaceSpec& spec, const Purpo
   return result;
 }
 
+/// A view, and a size that no pixel on the surface is below.
+using BoundedView = std::pair<double, const View*>;
+
+/// The views that show something, by their bounds. Where a camera's place is given, the corners of
+/// a surface's box bound its pixels.
+std::vector<BoundedView> by_bounds(const std::vector<View>& views, const PictureSettings& picture,
+                                   const VisiblePart& part) {
+  std::vector<BoundedView> result;
+  for (const View& view : views) {
+    if (largest_stretch(view.place) == 0) continue;  // drawn as nothing
+    const bool is_fixed = view.camera.target && view.camera.distance && views.size() > 1;
+    const double bound =
+        is_fixed ? PixelSize(view.camera, picture, view.place, {part.bounds, {}}).least() : 0;
+    result.emplace_back(bound, &view);
+  }
+  std::ranges::stable_sort(result, {}, &BoundedView::first);
+  return result;
+}
+
 Tolerance tolerance_of_part(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                             const VisiblePart& part) {
   const glm::dmat4 to_true = glm::scale(glm::dmat4(1), 1.0 / purpose.stretch);
@@ -193,10 +214,11 @@ Tolerance tolerance_of_part(const Scene& scene, const SurfaceSpec& spec, const P
   if (pixels == kInfinity) return length;
   double same_everywhere = kInfinity;
   std::vector<PixelSize> sizes;  // that are not
-  for (const auto& [camera, true_place] : views(scene, spec, purpose)) {
-    const glm::dmat4 place = true_place * to_true;
-    if (largest_stretch(place) == 0) continue;  // drawn as nothing
-    PixelSize size(camera, scene.picture, place, part);
+  std::vector<View> all = views(scene, spec, purpose);
+  for (View& view : all) view.place = view.place * to_true;
+  for (const auto& [bound, view] : by_bounds(all, scene.picture, part)) {
+    if (bound >= same_everywhere) break;  // those behind have larger pixels, too
+    PixelSize size(view->camera, scene.picture, view->place, part);
     if (size.depends_on_place()) {
       sizes.push_back(size);
     } else {

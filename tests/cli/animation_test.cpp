@@ -193,7 +193,7 @@ TEST_F(AnimationTest, ASurfaceMayVanishForSomeFrames) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(
       outcome.err,
-      "saddle: warning: surface: the surface is a single point, (0, 0, -0) (frame 0, t = 0)\n");
+      "saddle: warning: surface: the surface is a single point, (0, 0, 0) (frame 0, t = 0)\n");
   EXPECT_EQ(files().size(), 3U);
   const Outcome nowhere = run({"z=log(-1-t^2)"}, {"-o", "g.gif", "--frames", "2"});
   EXPECT_TRUE(error_of(nowhere, 3).starts_with("saddle: the surface is undefined everywhere\n"));

@@ -78,6 +78,12 @@ TEST_F(CheckCommand, TellsSingularPointsFromLinesAndCurves) {
   says("bourke-harmonic", "singular    curves: within u = 0:6.28319, v = 1.04");
   says("bent-horns",
        "v = 0 is the point (0, 0, 0) with a normal on each side. 8 points: within u = -1.31");
+  // Whether or not a line of the mesh is there by chance.
+  for (const char* tolerance : {"0.05", "1e-3", "1e-5"}) {
+    const std::string text = words({"z=sqrt(u)", "--tolerance", tolerance});
+    EXPECT_TRUE(contains(text, "singular    1 line: u = 0, v = -1:1 has the normal (-1, 0, 0)\n"))
+        << text;
+  }
   // Of a limit as many decimals as are known.
   says("z=1/3+(u^2+v^2)/hypot(u,v)", "v = 0 is the point (0, 0, 0.3333) with a normal on each way");
   // At a corner of the domain, too, it depends on the way.

@@ -66,7 +66,7 @@ TEST_F(LanguageRuns, AreChecked) {
   // A cut that ends, and goes on further away.
   const Outcome arcsine = saddle({"check", "z=im(asin(u+i*v))", "u=-3:3", "v=-2:2"});
   EXPECT_TRUE(contains(arcsine.out, "jumps       u = -3:-1.0")) << arcsine.out;
-  EXPECT_TRUE(contains(arcsine.out, "u = 1.00001:3, v = 0")) << arcsine.out;
+  EXPECT_TRUE(contains(arcsine.out, "; u = 1.0000")) << arcsine.out;
   const Outcome tube = saddle(with({"check"}, kFormulas[3]));
   EXPECT_TRUE(contains(tube.out, "a torus")) << tube.out;
 }

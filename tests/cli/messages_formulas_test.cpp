@@ -81,11 +81,11 @@ constexpr MessageRow kRows[] = {
     {"z=u u=0:1:2 -o a.toml", "u: a range has one ':'", "u=0:2*pi", ""},
     {"z=u u=:1 -o a.toml", "u: the lower end is missing", "u=0:2*pi", ""},
     {"z=u u=1: -o a.toml", "u: the upper end is missing", "u=0:2*pi", ""},
-    {"z=u u=1:1 -o a.ply", "u: the range of u is empty", "its ends must differ",
-     "z=u u=0:1 -o a.ply"},
+    {"z=u u=1:1 -o a.ply", "u: the range of u is empty", "both ends are 1", "z=u u=0:1 -o a.ply"},
     {"z=u u=0:v -o a.ply", "u: the range of u cannot depend on v", "the ends of v may depend on u",
      "z=u v=0:u -o a.ply"},
-    {"z=u v=u:u -o a.ply", "v: the range of v is empty", "its ends must differ", ""},
+    {"z=u v=u:u -o a.ply", "v: the range of v is empty", "for example v=0:sin(u)",
+     "z=u u=1:2 v=0:sin(u) -o a.ply"},
     {"z=u u=0:1/0 -o a.ply", "u: this end of the range is not a finite number", "", ""},
     {"z=u u=-180:180deg -o a.ply", "u: 'deg' is a unit, and numbers have none here",
      "angles are in radians: write 180*pi/180", "z=u u=-180*pi/180:180*pi/180 -o a.toml"},
@@ -115,7 +115,91 @@ constexpr MessageRow kRows[] = {
     {"z=u%2 -o a.ply", "z: '%' is not part of the language", "mod(a,b)", "z=mod(u,2) -o a.ply"},
     {"z=πu -o a.ply", "z: an operator is missing", "write π*u", "z=π*u -o a.ply"},
     {"z=mod(u) -o a.ply", "z: 'mod' takes 2 arguments, not 1", "", ""},
+    {"z=1e999*u -o a.ply", "z: a number that is out of range", "numbers go from 5e-324 to 1.8e308",
+     "z=1e3*u -o a.ply"},
+    {"z=u⁻ -o a.ply", "z: a raised minus without a number", "write u^-1 or u⁻¹",
+     "z=u⁻¹ u=1:2 -o a.ply"},
+    {"z=u²^3 -o a.ply", "z: a power of a superscript", "write (u^2)^3 or u^(2^3)",
+     "z=(u^2)^3 -o a.ply"},
+    {"'z=u@2' -o a.ply", "z: a character that no formula has",
+     "formulas are made of numbers, names, + - * / ^ ( ) , < > = & | ? :", "'z=u*2' -o a.ply"},
+    {"z=u(v+1) -o a.ply", "z: 'u' is not a function", "for a product write u*(...)",
+     "z=u*(v+1) -o a.ply"},
+    {"'z=1 000*u' -o a.ply", "z: a space inside a number", "write 1000", "z=1000*u -o a.ply"},
+    {"z=u=v -o a.ply", "z: an assignment inside a formula",
+     "to compare, write ==", "z=u==v --samples 9x9 -o a.ply"},
+    {"z=u?1 -o a.ply", "z: a '?' without its ':'", "write a ? b : c", "z=u>0?1:2 -o a.ply"},
+    {"z=(u:1) -o a.ply", "z: a ':' without its '?'", "write a ? b : c", "z=(u>0?u:1) -o a.ply"},
+    {"z=u+ -o a.ply", "z: the formula ends where an operand is expected",
+     "add a number, a name or a bracket", "z=u+1 -o a.ply"},
+    {"z=(u+)*2 -o a.ply", "z: an operand is missing here", "add a number, a name or a bracket",
+     "z=(u+1)*2 -o a.ply"},
+    {"z=u+*2 -o a.ply", "z: an operand is missing before '*'",
+     "an operator stands between two operands", "z=u+1*2 -o a.ply"},
+    {"'f(s,s)=s' z=f(u,v) -o a.ply", "f(s, s): two arguments are called 's'",
+     "give each its own name", "'f(s,r)=s*r' z=f(u,v) -o a.ply"},
+    {"'torus' --view '1, ,2' -o a.ply", "--view: the formula is empty",
+     "write an expression, e.g. u*v", "torus --view 1,0,2 -o a.ply"},
+    // sums over an index
+    {"z=sum(u,v,n=1:3) -o a.ply", "z: 'sum' over an index takes one expression",
+     "write sum(EXPRESSION, n=1:20)", "'z=sum(u, n=1:20)' -o a.ply"},
+    {"z=sum(n*u,n=3) -o a.ply", "z: the index n has no range",
+     "write n=1:20, from the first to the last", "z=sum(n*u,n=1:20) -o a.ply"},
+    {"z=sum(,n=1:3) -o a.ply", "z: an operand is missing here", "add a number, a name", ""},
+    {"z=sum(n,n=1:u) -o a.ply", "z: a bound of an index must be a constant",
+     "it may use numbers, constants and parameters, not u, v or t",
+     "z=u*sum(n,n=1:k) k=3 -o a.ply"},
+    {"z=sum(n*u,n=1:2.5) -o a.ply", "z: a bound of an index must be a whole number, not 2.5",
+     "write floor(...) around it", "z=sum(n*u,n=1:floor(2.5)) -o a.ply"},
+    {"z=sum(sin(n*u),n=1:30000) -o a.ply",
+     "z: sums and products over an index have more than 20000 terms in all",
+     "30000 terms here; use fewer", ""},
+    {"f(s)=sum(cos(n*s)*s,n=1:9000) z=f(u)+f(v)+f(u*v)+f(u+v) -o a.ply",
+     "z: the formulas grow past 100000 operations", "use fewer terms of sums", ""},
+    // ranges that depend on what they cannot
+    {"z=u u=u:1 -o a.ply", "u: the range of u depends on itself",
+     "both ends are constant expressions, for example u=0:2*pi", "z=u u=0:2*pi -o a.ply"},
+    {"z=u v=v:1 -o a.ply", "v: the range of v depends on itself",
+     "its ends may depend on u, for example v=0:sin(u)", "z=u u=1:2 v=0:sin(u) -o a.ply"},
+    {"z=u u=-1e308:1e308 -o a.ply", "u: the range of u is too wide for its length to be a number",
+     "", ""},
+    {"z=u u=0:t -o a.ply", "u: the range of u is empty", "both ends are 0",
+     "z=u u=0:t t=1 -o a.ply"},
+    {"z=u --t 0:1 -o a.png", "--t: this is one moment", "a range of time is t=0:1",
+     "z=u*t t=0:1 --frames 1 -s 9x9 -o a.gif"},
+    {"xyz=(1,y,x) x=0:1 y=0:1 -o a.ply", "xyz: xyz gives x, too", "give the parameter another name",
+     "xyz=(1,q,p) p=0:1 q=0:1 -o a.ply"},
 };
+
+/// Formulas whose bounds no sensible row of a table reaches.
+TEST_F(Messages, OfFormulasThatAreTooLongNameTheBound) {
+  const auto error = [&](const std::vector<std::string>& formulas) {
+    std::vector<std::string> words = formulas;
+    words.insert(words.end(), {"-o", "a.ply"});
+    return error_of(saddle(words), 2);
+  };
+  const auto repeated = [](const std::string& part, int times) {
+    std::string text;
+    for (int i = 0; i < times; ++i) text += part;
+    return text;
+  };
+  EXPECT_TRUE(contains(error({"z=u" + repeated("+0.1234567890", 5100)}),
+                       "z: the formula is longer than 64 KiB\n"));
+  EXPECT_TRUE(contains(error({"z=u" + repeated("+u", 10'000)}),
+                       "z: the formula has more than 20000 numbers, names and operators\n"));
+  EXPECT_TRUE(contains(error({"z=" + repeated("(", 300) + "u" + repeated(")", 300)}),
+                       "z: brackets are nested more than 256 deep\n"));
+  std::vector<std::string> chain = {"z=a300*u"};
+  for (int i = 300; i > 0; --i) {
+    chain.push_back("a" + std::to_string(i) + "=a" + std::to_string(i - 1) + "+1");
+  }
+  chain.emplace_back("a0=1");
+  EXPECT_TRUE(contains(error(chain), "definitions use each other more than 256 deep\n"));
+  std::string calls = "z=0";
+  for (int i = 0; i < 2100; ++i) calls += "+f(u," + std::to_string(i) + ")";
+  EXPECT_TRUE(contains(error({"f(s,n)=sum(s,k=n:n)", calls}),
+                       "functions are called with more than 2000 different constants\n"));
+}
 
 TEST_F(Messages, OfFormulasNameAWayOutThatWorks) {
   expect_errors(kRows, 2);

@@ -1,4 +1,6 @@
 // Messages about options, their values and the files that they name.
+#include <fstream>
+
 #include "cli/messages.h"
 
 namespace saddle {
@@ -53,6 +55,9 @@ constexpr MessageRow kRows[] = {
     {"torus --up 0,0,0 -o a.toml", "--up: a direction needs a length", "must not be 0", ""},
     {"torus --target 1,foo,2 -o a.toml", "--target: unknown name 'foo'",
      "known names: t R r pi e tau", "torus --target 1,r,2 -o a.toml"},
+    {"torus --target 1.7e308,1.7e308,1.7e308 -s 9x9 -o a.png",
+     "--target: no camera stands so far away: its numbers are beyond doubles",
+     "give a place that is nearer", "torus --target 1e3,0,0 -s 9x9 -o a.png"},
     {"torus --target 1,u,2 -o a.toml", "--target: this must be a constant", "not u or v", ""},
     {"torus --target 1,1/0,2 -o a.toml", "--target: not a finite number", "", ""},
     {"torus --distance 0 -o a.toml", "--distance: must be more than 0", "", ""},
@@ -200,7 +205,69 @@ constexpr MessageRow kRows[] = {
      ""},
     {"torus -o a.toml -o a.toml --report a.toml", "two outputs are called a.toml", "", ""},
     {"chart torus", "nothing says where the chart goes", "-o chart.svg", ""},
+    {"chart torus -o -", "--output: nothing says which kind of chart - is",
+     "for - add --format csv", ""},
+    {"torus -o a%0999d.png", "--output: the frame's number has too many digits",
+     "for example frame-%04d.png", "z=u*t --frames 1 -s 9x9 -o frame-%04d.png"},
+    {"torus -o m.obj --report m.mtl", "m.obj also writes m.mtl, which is another file of this run",
+     "give each its own name", "torus -o m.obj --report m.json"},
+    {"torus -s 9x9 --fragment -o a.png", "--fragment: no output is a page",
+     "for example -o page.html", "torus --fragment -o page.html"},
+    {"torus -s 9x9 --sliders off -o a.png", "--sliders: no output is a page",
+     "for example -o page.html", "torus --sliders off -o page.html"},
+    {"torus --sliders q -o a.html", "--sliders: no parameter is called 'q'", "known: R r t all off",
+     "torus --sliders R -o a.html"},
+    {"torus --thickness 0.1 --sliders R -o a.html",
+     "--sliders: solids follow no sliders, and 'R' is of one", "--thickness off, or --sliders all",
+     "torus --thickness 0.1 --sliders all -o a.html"},
+    {"torus -s 9000x9000 -o a.svg", "--size: a figure has at most 8192 pixels each way",
+     "its lines and letters are as sharp in a smaller one", "torus -s 80x60 -o a.svg"},
+    {"torus --texture checker --texture-repeat 2 -o a.toml",
+     "--texture-repeat: there is no picture", "checker has the cells of --grid",
+     "torus --texture checker --grid 9 -o a.toml"},
+    {"torus --color z --texture checker -o a.toml",
+     "--color: a surface has a colour by a formula or a texture, not both",
+     "leave one of them out; --color off and --texture off", "torus --color z -o a.toml"},
+    {"torus --grid 5000x5000 -o a.toml", "--grid: so many lines cover the surface",
+     "such as 1024x1024", "torus --grid 1024x1024 -o a.toml"},
+    {"torus --thickness 2cm -o a.toml",
+     "--thickness: a thickness is in the surface's units, or in mm", "write 20mm",
+     "torus --thickness 20mm -o a.toml"},
+    {"torus --thickness 2,left -o a.toml",
+     "--thickness: a thickness goes to the front or to the back", "0.1,front or 0.1,back",
+     "torus --thickness 0.1,back -o a.toml"},
+    {"torus --thickness 0 -o a.toml", "--thickness: a thickness must be more than 0", "off is none",
+     "torus --thickness off -o a.toml"},
+    {"mobius --thickness 0.1,front -o a.stl", "--thickness: the surface is one-sided: it has no",
+     "leave the side out: half of it then goes to each", "mobius --thickness 0.1 -o a.stl"},
+    {"torus --thickness 500mm --print-size 80 -o a.stl",
+     "--print-size: no print of this size is so thick",
+     "a smaller --thickness, or a larger --print-size",
+     "torus --thickness 1mm --print-size 80 -o a.stl"},
+    {"x=1e38*u y=1e38*v z=u*v -o a.stl", "the mesh is too large for the numbers of STL files",
+     "PLY and OBJ have doubles: -o mesh.ply", "x=1e38*u y=1e38*v z=u*v -o mesh.ply"},
+    {"z=u+t t=0:1 --zoom 1-2*t --frames 4 -o f%d.png", "--zoom: must be more than 0",
+     "it is -1\nthis is at t = 1", "z=u+t t=0:1 --zoom 2-t --frames 1 -s 9x9 -o f%d.png"},
+    {"torus r -o a.toml", "no surface is called 'r'", "a formula is NAME=EXPRESSION",
+     "torus r=0.3 -o a.toml"},
+    {"torus list -o a.toml", "no surface is called 'list'", "", ""},
 };
+
+constexpr MessageRow kOfFiles[] = {
+    {"scene.toml -o a.toml --report scene.toml", "--report: the run reads this file",
+     "give the report a name of its own", "scene.toml -o a.toml --report run.json"},
+    {"two.toml u=0:1 -o a.toml", "argument: each of the scene's surfaces has its own 'u'",
+     "change a parameter, or the scene file", "two.toml k=3 -o a.toml"},
+    {"- -o a.toml", "standard input is empty", "saddle show torus | saddle - -o torus.png",
+     "show torus"},
+};
+
+TEST_F(Messages, OfOptionsThatMeetFilesNameAWayOut) {
+  std::ofstream(path("scene.toml")) << "[[surface]]\nz = 'u'\n";
+  std::ofstream(path("two.toml"))
+      << "[params]\nk = 2\n[[surface]]\nz = 'k*u'\n[[surface]]\nz = 'v'\n";
+  expect_errors(kOfFiles, 2);
+}
 
 TEST_F(Messages, OfOptionsNameAWayOutThatWorks) {
   expect_errors(kRows, 2);

@@ -1,6 +1,12 @@
 // Messages of runs that end with the exit statuses 1 and 3: what the machine lacks, and formulas
 // without anything to draw.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <utility>
 
 #include "cli/messages.h"
 
@@ -27,6 +33,10 @@ constexpr MessageRow kNothing[] = {
      "u = 0 is where they are closest", "z=u u=0:8 -o a.ply"},
     {"x=1e308*u y=1e308*v z=u*v -o a.ply", "the surface has no finite extent",
      "(-1e+308, -1e+308, -1)", "x=1e30*u y=1e30*v z=1e30*u*v -o a.ply"},
+    {"show --shader curve x=s", "no surface is drawn", "lines and dots have fixed shaders",
+     "show --shader curve x=s --radius 0.1"},
+    {"show --shader point 1,2,3", "no surface is drawn", "lines and dots have fixed shaders",
+     "show --shader point 1,2,3 --radius 0.1"},
     {"torus --clip 5:6,5:6,5:6 -o a.ply",
      "nothing of the surface is in the box that it is clipped to", "--clip off shows all of it",
      "torus --clip off -o a.ply"},
@@ -82,6 +92,40 @@ constexpr MessageRow kMachine[] = {
     {"z=u*t --frames 2 -s 16x16 -o a.mp4", "no temporary file /nowhere/saddle-",
      "set TMPDIR to a folder that can be written to", "", "TMPDIR=/nowhere"},
 };
+
+constexpr MessageRow kLimits[] = {
+    {"chart torus --max-time 0.01 -o a.csv", "--max-time is over, and nothing is whole yet",
+     "a larger --max-time allows more; a larger --tolerance or a smaller --size takes less", ""},
+    {"torus --max-memory 64MB -s 99x99 -o a.png", "nothing here can draw: not enough memory",
+     "--max-memory and ulimit -v say how much there may be", "torus -s 99x99 -o a.png"},
+    {"z=u*t --frames 2 -s 16x16 -o a.mp4", "ffmpeg failed: it has written nothing", "", "",
+     "PATH=bin"},
+};
+
+TEST_F(Messages, OfLimitsNameTheOneThatIsMet) {
+  std::filesystem::create_directory(path("bin"));
+  std::ofstream(path("bin/ffmpeg")) << "#!/bin/sh\nexec 0<&-\n/bin/sleep 1\n";
+  std::filesystem::permissions(path("bin/ffmpeg"), std::filesystem::perms::owner_all);
+  expect_errors(kLimits, 1);
+}
+
+/// Standard output on the other end of a terminal.
+TEST_F(Messages, OfTerminalsKeepPicturesOffThem) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  ASSERT_GE(terminal, 0);
+  ASSERT_EQ(grantpt(terminal), 0);
+  ASSERT_EQ(unlockpt(terminal), 0);
+  const std::string name = ptsname(terminal);
+  for (const auto& [command, message] :
+       {std::pair("torus -o - --format png", "pictures and meshes are not written to a terminal"),
+        std::pair("chart torus -o - --format png", "pictures are not written to a terminal")}) {
+    const Outcome run = run_saddle(words(command), folder_, name);
+    EXPECT_EQ(run.status, 2) << run.err;
+    EXPECT_TRUE(contains(run.err, message)) << run.err;
+    EXPECT_TRUE(contains(run.err, "redirect standard output, or name a file")) << run.err;
+  }
+  close(terminal);
+}
 
 TEST_F(Messages, OfTheMachineSayWhatItLacks) {
   std::filesystem::create_directory(path("folder.png"));

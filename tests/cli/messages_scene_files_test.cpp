@@ -163,6 +163,40 @@ constexpr FileRow kSurfaces[] = {
      "[functions]\n\"bump(s)\" = \"exp(-s*s)\"\n"},
     {"parameters = ['p', 'p']\n", "3:14: surface 1: parameters: both parameters are called 'p'",
      "give each its own name", "parameters = ['p', 'q']\nx = 'p'\ny = 'q'\n"},
+    {"params = { u = 3 }\n", "3:16: u: 'u' cannot be defined",
+     "u is a parameter of the surface; choose another name", "params = { w = 3 }\n"},
+    {"params = { t = 3 }\n", "3:16: t: 't' cannot be defined",
+     "u, v and t are what formulas depend on", "params = { w = 3 }\n"},
+    {"u = ['u', 1]\n", "3:5: u: the range of u depends on itself",
+     "both ends are constant expressions, for example u = [\"0\", \"2*pi\"]",
+     "u = [\"0\", \"2*pi\"]\n"},
+    {"v = ['v', 1]\n", "3:5: v: the range of v depends on itself",
+     "its ends may depend on u, for example v = [\"0\", \"sin(u)\"]", "v = [\"0\", \"sin(u)\"]\n"},
+    {"u = [1, 1]\n", "3:5: u: the range of u is empty", "for example u = [\"0\", \"2*pi\"]",
+     "u = [\"0\", \"2*pi\"]\n"},
+    {"[animation]\nt = [1, 1]\n", "4:6: animation: t: the range of t is empty",
+     "for example t = [\"0\", \"2*pi\"]", "[animation]\nt = [\"0\", \"2*pi\"]\n"},
+    {"color = 'z'\ntexture = 'checker'\n",
+     "3:10: surface 1: color: a surface has a colour by a formula or a texture, not both",
+     "leave one of them out", "color = 'z'\n"},
+    {"[camera]\nview = [1, 2, 3]\nangles = [1, 2]\n", "5:10: angles: says again what 'view' says",
+     "leave one of the two out", "[camera]\nangles = [1, 2]\n"},
+    {"[params]\nk = { value = 0, choices = [''] }\n",
+     "4:29: k: choices: '' cannot be the name of a choice",
+     "for example choices = [\"sun\", \"lamp\"]",
+     "[params]\nk = { value = 0, choices = [\"sun\", \"lamp\"] }\n"},
+    {"[params]\nk = { value = 0, choices = ['a', 'a'] }\n", "4:34: k: choices: 'a' is there twice",
+     "for example choices", ""},
+    {"[params]\nk = { value = 0, choices = ['a'] }\n",
+     "4:28: k: choices: a choice is between two names or more", "for example choices", ""},
+    {"[params]\nk = { value = 1, min = 2, max = 1 }\n", "4:33: k: max: min must be less than max",
+     "", ""},
+    {"[params]\nf = 2\n[functions]\n'f(s)' = 's'\n", "6:10: f(s): 'f' is defined twice",
+     "choose another name", "[params]\nf = 2\n[functions]\n'g(s)' = 's'\n"},
+    {"[params]\n'k(s)' = 's'\n", "4:1: 'k(s)' is not a name", "functions go into [functions]",
+     "[functions]\n'k(s)' = 's'\n"},
+    {"[params]\nu = 2\n", "4:5: u: 'u' cannot be defined", "u, v and t are what formulas depend on",
+     "[params]\nw = 2\n"},
     {"parameters = ['p', 'q']\nu = [0, 1]\n", "4:1: unknown key 'u'", "p q",
      "parameters = ['p', 'q']\np = [0, 1]\n"},
 };
@@ -192,9 +226,13 @@ constexpr FileRow kFiles[] = {
      "[params]\na = 1\n[[surface]]\nz = 'a*u'\n"},
     {"surface = 3\n", "1:11: surface: must be written as [[surface]]", "",
      "[[surface]]\nz = 'u'\n"},
-    {"[[surface]]\nx = 'u'\n", "1:1: surface: z has no formula", "z has no default",
-     "[[surface]]\nx = 'u'\nz = 'v'\n"},
+    {"[[surface]]\nx = 'u'\n", "1:1: surface: z has no formula",
+     "z has no default: for example z = \"u*v\"", "[[surface]]\nx = 'u'\nz = \"u*v\"\n"},
     {"[[surface]]\nz = ''\n", "2:5: surface 1: z: the expression is empty", "", ""},
+    {"[[surface]]\nz = 9007199254740993\n", "2:5: a whole number beyond 2^53, which is not exact",
+     "write 9007199254740993.0 for the nearest double", "[[surface]]\nz = 9007199254740993.0\n"},
+    {"labels = ['a', 'b']\n[[surface]]\nz = 'u'\n", "1:10: labels: must be three texts", "",
+     "labels = ['a', 'b', 'c']\n[[surface]]\nz = 'u'\n"},
     {"[[surface]]\nz = true\n", "2:5: surface 1: z: must be a formula in quotes, or a number", "",
      "[[surface]]\nz = 1\n"},
     {"[[surface]]\nz = 'foo(u)'\n", "2:6: z: unknown name 'foo'", "did you mean 'floor'?",
@@ -233,6 +271,8 @@ constexpr MessageRow kNoScenes[] = {
      ".stl has no room for one; these have: .png .ply .obj", ""},
     {"large.toml -o a.toml", "large.toml is larger than 4 MiB", "saddle show torus prints one",
      "show torus"},
+    {"large.obj -o a.toml", "large.obj:1:1: a scene file of more than 4 MiB",
+     "saddle show torus prints a scene", "show torus"},
 };
 
 TEST_F(SceneFileMessages, OfFilesWithoutAScene) {
@@ -243,6 +283,9 @@ TEST_F(SceneFileMessages, OfFilesWithoutAScene) {
   ASSERT_EQ(run("torus -s 32x24 --reference sphere.png").status, 1);
   std::filesystem::rename(path("sphere.png.diff.png"), path("bare.png"));
   std::ofstream(path("large.toml")) << std::string(std::size_t{5} << 20, ' ');
+  std::ofstream large(path("large.obj"));
+  for (int i = 0; i < 30'000; ++i) large << "# scene # " << std::string(180, 'a') << '\n';
+  large.close();
   expect_errors(kNoScenes, 2);
 }
 

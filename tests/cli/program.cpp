@@ -55,7 +55,7 @@ Outcome run_saddle(const std::vector<std::string>& arguments, const std::filesys
   run.err = read_file(err);
   // For tests/style/messages.py, which lists the messages that no run tells.
   if (const char* const told = std::getenv("SADDLE_TOLD")) {
-    std::ofstream(told, std::ios::app) << run.err;
+    std::ofstream(told, std::ios::app) << run.err << run.out;
   }
   return run;
 }

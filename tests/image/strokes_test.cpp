@@ -58,6 +58,22 @@ TEST(Strokes, WinOverAnInclinedSurface) {
   for (int x = 35; x <= 65; ++x) EXPECT_EQ(red_in_column(image, x), 5) << x;
 }
 
+/// A wide grid line on a steep plane, beside level lines that are thin: faces are behind the wider
+/// ones of both.
+TEST(Strokes, LeaveGridLinesWholeThatAreWiderThanLevelLines) {
+  const std::string steep =
+      "[[surface]]\nz = \"3*u\"\ngrid = [3, 0]\nline-width = 14\nline-color = \"red\"\n";
+  const std::string levels =
+      "[[surface]]\nz = \"0\"\nu = [2, 2.4]\nv = [2, 2.4]\ngrid = [0, 0]\n"
+      "contours = [\"u=2.2\"]\nline-width = 0.5\n";
+  const Image image = picture_of(steep + levels);
+  for (int y = 35; y <= 65; ++y) {
+    int red = 0;
+    for (int x = 40; x <= 60; ++x) red += is_red(image, x, y) ? 1 : 0;
+    EXPECT_EQ(red, 14) << y;
+  }
+}
+
 TEST(Strokes, AreHiddenBehindOtherSurfaces) {
   const Image image = picture_of(kPlane + kLine + "[[surface]]\nz = \"1\"\nu = [0, 1]\n");
   EXPECT_EQ(red_in_column(image, 40), 5);

@@ -95,16 +95,14 @@ bool is_common(const Segment& segment) {
   });
 }
 
-[[noreturn]] void refuse_second_name(const std::string& first, const std::string& second,
-                                     bool has_formulas) {
+[[noreturn]] void refuse_second_name(const std::string& first, const std::string& second) {
   for (const std::string& name : {first, second}) {
     if (name != "-" && !is_scene_file(name) && find_gallery_entry(name) == nullptr) {
       throw unknown_object(name);
     }
   }
   throw Error(Status::Input, "two scenes, '" + first + "' and '" + second + "'", {},
-              has_formulas ? "a formula with spaces is written in quotes: z='u + v'"
-                           : "put a + between them: " + first + " + " + second);
+              "put a + between them: " + first + " + " + second);
 }
 
 /// Puts the assignments where they belong. `alone`: the object is the whole scene.
@@ -223,7 +221,7 @@ SceneObject read_object(const Segment& segment, const Segment* common, bool alon
   for (const std::string& argument : segment.arguments) {
     (is_assignment(argument) ? assignments : names).push_back(argument);
   }
-  if (names.size() > 1) refuse_second_name(names[0], names[1], !assignments.empty());
+  if (names.size() > 1) refuse_second_name(names[0], names[1]);
   check_given_once(assignments);
   SceneObject object;
   if (!names.empty()) {

@@ -100,6 +100,22 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
   return result;
 }
 
+namespace {
+
+/// Where a line is halved: where a parameter is 0, while one has both signs. Doubles are so close
+/// there that no number of halvings ends at 0, where many formulas end.
+dvec2 middle_or_zero(const Line& line) {
+  for (int k = 0; k < 2; ++k) {
+    if (!(line[0][k] * line[1][k] < 0)) continue;
+    dvec2 place = line[0] + line[0][k] / (line[0][k] - line[1][k]) * (line[1] - line[0]);
+    place[k] = 0;
+    return place;
+  }
+  return middle_of(line);
+}
+
+}  // namespace
+
 std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> lines, int halvings,
                                 unsigned threads, const std::optional<Bounds>& box) {
   std::vector<Line> ends(lines.begin(), lines.end());
@@ -109,7 +125,7 @@ std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> li
     line[is_seen(box, p) ? 0 : 1] = middle;
     return is_last;
   };
-  bisect_together(surface, ends, open, halvings, threads, middle_of, is_done);
+  bisect_together(surface, ends, open, halvings, threads, middle_or_zero, is_done);
   std::vector<dvec2> last(ends.size());
   std::ranges::transform(ends, last.begin(), [](const Line& line) { return line[0]; });
   return last;

@@ -16,7 +16,7 @@ namespace {
 std::string format_point(const dvec3& p) {
   const auto number = [](double x) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.6g", x);
+    std::snprintf(text.data(), text.size(), "%.6g", x + 0.0);  // -0 is 0
     return std::string(text.data());
   };
   return "(" + number(p.x) + ", " + number(p.y) + ", " + number(p.z) + ")";
@@ -36,7 +36,7 @@ void set_extent(Grid& grid, const Bounds& bounds) {
   const bool is_point = glm::all(glm::lessThanEqual(bounds.size(), least));
   if (is_point || diagonal < std::numeric_limits<double>::min()) {
     throw Error(Status::Nothing, "the surface is a single point, " + format_point(bounds.low), {},
-                "x, y and z are the same at all samples");
+                "x, y and z are the same at all samples; --samples takes more");
   }
   grid.local_scale = std::ldexp(1.0, -std::ilogb(diagonal));
   grid.diagonal = grid.local_scale * diagonal;

@@ -113,6 +113,17 @@ void complete(const Seams& seams, const SizingField& of_edges, SizingField& sizi
   limit_fall_off(sizing.of_v);
 }
 
+/// The cells between lines that are placed for these densities.
+double cells_for(const Domain& d, const FixedLines& fixed, const SizingField& sizing) {
+  return total_cells(Cumulative(sizing.of_u, d.u0, d.u1), fixed.u) *
+         total_cells(Cumulative(sizing.of_v, d.v0, d.v1), fixed.v);
+}
+
+/// No densities have fewer cells: one between neighbouring fixed lines.
+double fewest_cells(const FixedLines& fixed) {
+  return static_cast<double>((fixed.u.size() - 1) * (fixed.v.size() - 1));
+}
+
 /// The ratio of cells' sides, in v and in u, for which there are the fewest cells.
 double best_ratio(const Probe& probe, const FixedLines& fixed, const SizingField& of_edges,
                   SampledForms forms) {
@@ -121,16 +132,16 @@ double best_ratio(const Probe& probe, const FixedLines& fixed, const SizingField
   const auto cells = [&](int power) {
     SizingField sizing = forms.sizing(std::ldexp(own_ratio, power), nullptr);
     complete(probe.seams(), of_edges, sizing);
-    return total_cells(Cumulative(sizing.of_u, d.u0, d.u1), fixed.u) *
-           total_cells(Cumulative(sizing.of_v, d.v0, d.v1), fixed.v);
+    return cells_for(d, fixed, sizing);
   };
+  const double fewest = fewest_cells(fixed);
   // Sums of powers of the ratio have one valley.
   int best = 0;
   double least = cells(best);
   for (const int step : {4, 2, 1}) {
     for (const int way : {-step, step}) {
       const int before = best;
-      for (;;) {
+      while (least > fewest) {
         const double next = cells(best + way);
         if (!(next < least)) break;
         least = next;
@@ -212,6 +223,7 @@ SizingField sizing_field(const Probe& probe, const FixedLines& fixed, const Tole
   for (int k = 0; k < kPasses; ++k) {
     sizing = all.sizing(ratio, k > 0 ? &sizing : nullptr);
     complete(probe.seams(), edges, sizing);
+    if (cells_for(probe.domain(), fixed, sizing) <= fewest_cells(fixed)) break;
   }
   return sizing;
 }

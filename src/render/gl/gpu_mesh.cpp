@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -25,9 +24,6 @@ struct Vertex {
 
 /// Stands for no number.
 constexpr float kUndefined = -1;
-
-/// Ends a strip; no mesh has that many corners.
-constexpr GLuint kRestart = std::numeric_limits<GLuint>::max();
 
 /// Converts straight into the buffer's memory: no second copy of the vertices.
 void upload_vertices(const Mesh& mesh, const ModelFrame& frame) {
@@ -85,24 +81,19 @@ void upload_pairs(std::span<const dvec2> pairs, Attribute attribute, const GlBuf
   glVertexAttribPointer(attribute, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
-/// All chains in one list, a restart after each. GL leaves out the last pixel of a line, so that
-/// the next one may begin there: each chain goes back one step at its end.
-std::vector<GLuint> strip_indices(std::span<const std::vector<std::uint32_t>> lines) {
+/// The pieces of all chains. As strips with restarts between them llvmpipe would begin anew for
+/// each chain. GL leaves out the last pixel of a line, so that the next one may begin there: each
+/// chain goes back one step at its end.
+std::vector<GLuint> line_indices_of(std::span<const std::vector<std::uint32_t>> lines) {
   std::vector<GLuint> indices;
   for (const auto& chain : lines) {
     if (chain.size() < 2) continue;
-    indices.insert(indices.end(), chain.begin(), chain.end());
-    indices.push_back(chain[chain.size() - 2]);
-    indices.push_back(kRestart);
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+      indices.insert(indices.end(), {chain[i], chain[i + 1]});
+    }
+    indices.insert(indices.end(), {chain.back(), chain[chain.size() - 2]});
   }
   return indices;
-}
-
-void draw_strips(const GlVertexArray& array, GLsizei indices) {
-  glBindVertexArray(array.get());
-  glEnable(GL_PRIMITIVE_RESTART);
-  glPrimitiveRestartIndex(kRestart);
-  glDrawElements(GL_LINE_STRIP, indices, GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace
@@ -161,7 +152,7 @@ GpuMesh::GpuMesh(const Mesh& mesh)
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
   }
 
-  const std::vector<GLuint> indices = strip_indices(mesh.lines);
+  const std::vector<GLuint> indices = line_indices_of(mesh.lines);
   line_indices_ = static_cast<GLsizei>(indices.size());
   glBindVertexArray(line_array_.get());
   describe_vertices();
@@ -219,7 +210,8 @@ void GpuMesh::draw_triangles(std::size_t first, std::size_t count) const {
 }
 
 void GpuMesh::draw_lines() const {
-  draw_strips(line_array_, line_indices_);
+  glBindVertexArray(line_array_.get());
+  glDrawElements(GL_LINES, line_indices_, GL_UNSIGNED_INT, nullptr);
 }
 
 void GpuMesh::draw_contours() const {

@@ -16,6 +16,12 @@ Library::Library(std::span<const char* const> names, const char* package) : pack
     const char* why = dlerror();
     if (reason.empty() && why != nullptr) reason = why;  // the preferred one's
   }
+  // Where --max-memory or the system leaves too little, the loader says so in these words.
+  for (const char* lack : {"failed to map segment", "annot allocate memory"}) {
+    if (reason.find(lack) == std::string::npos) continue;
+    throw Error(Status::Machine, "not enough memory for OpenGL: " + reason, {},
+                "--max-memory and ulimit -v say how much there may be");
+  }
   throw Error(Status::Machine,
               "drawing without a window needs a library that cannot be loaded: " + reason, {},
               "install the package " + std::string(package));

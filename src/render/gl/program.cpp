@@ -140,7 +140,7 @@ void Program::set_texture(const std::string& name, int unit) {
 
 void Program::check_all_set() const {
   for (const auto& [name, uniform] : uniforms_) {
-    if (!uniform.set) defect("nobody sets its uniform " + name);
+    if (!uniform.set) defect("its uniform " + name + " is not set");
   }
 }
 

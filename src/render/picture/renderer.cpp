@@ -104,7 +104,7 @@ std::vector<PlacedMesh> Renderer::items_of(const Scene& scene, const FittedCamer
     PlacedMesh item(instance, meshes_[instance.surface], camera, unit);
     item.opacity = scene.surfaces[instance.surface].opacity;
     if (item.opacity < 1 || look.wireframe) item.two_sided = true;
-    if (item.is_visible()) items.push_back(item);
+    if (item.is_visible() && meshes_[item.surface].triangle_count() > 0) items.push_back(item);
   }
   return items;
 }

@@ -119,7 +119,7 @@ std::vector<std::string> parts_left_out(const ShaderNeeds& needs) {
   add(lit && needs.specular && !needs.highlights,
       "no light has another colour for highlights: one colour for each");
   add(!needs.unlit && !needs.emission, "the material does not shine by itself: no emission");
-  add(!needs.two_sided, "nobody can see the back: no second side, back faces are culled");
+  add(!needs.two_sided, "the back cannot be seen: no second side, back faces are culled");
   add(needs.two_sided && !needs.two_materials, "both sides look alike: one material");
   add(!needs.colored, "the materials' colours: no lookup in a colour map");
   add(needs.textured == TextureUse::None, "no texture: no lookup in a picture");

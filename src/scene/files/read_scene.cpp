@@ -139,7 +139,8 @@ SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const To
   if (!has_height(spec)) {
     const auto& [u, v] = spec.parameters;
     throw reader.source().error("surface", "z has no formula", table.span,
-                                "x and y default to " + u + " and " + v + ", z has no default");
+                                "x and y default to " + u + " and " + v +
+                                    ", z has no default: for example z = \"" + u + "*" + v + "\"");
   }
   return spec;
 }

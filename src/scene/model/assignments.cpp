@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cctype>
 #include <optional>
 #include <utility>
@@ -182,10 +183,7 @@ bool is_of_surface(const Definition& definition) {
 
 Definition parse_definition(const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
-  if (equals == std::string::npos) {
-    throw Error(Status::Input, "no '=' in the assignment",
-                {"argument", assignment, {0, assignment.size()}}, "for example r=0.4");
-  }
+  assert(equals != std::string::npos);
   Definition result;
   const Span left = trim(assignment, {0, equals});
   const std::size_t bracket = std::min(assignment.find('(', left.begin), left.end);

@@ -11,8 +11,8 @@
 
 namespace saddle {
 
-/// The parts of `NAME=EXPRESSION` or `NAME(ARGUMENTS)=EXPRESSION`. Throws Error (Input) with the
-/// place "argument": no `=`, an invalid name or one that cannot be a function's, an empty
+/// The parts of `NAME=EXPRESSION` or `NAME(ARGUMENTS)=EXPRESSION`, a text with a `=`. Throws Error
+/// (Input) with the place "argument": an invalid name or one that cannot be a function's, an empty
 /// expression.
 Definition parse_definition(const std::string& assignment);
 

@@ -44,28 +44,32 @@ double length(const dvec3& v) {
   return std::hypot(v.x, v.y, v.z);
 }
 
-/// Unit vector along `v` of any magnitude; `name` is the option that gave it.
-dvec3 direction(const dvec3& v, const char* name) {
-  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) {
-    throw Error(Status::Input, "the direction is not finite", {name, {}, {}});
-  }
-  if (!(largest > 0)) {
-    throw Error(Status::Input, "the direction has length 0", {name, {}, {}},
-                "give a vector with at least one component that is not 0");
-  }
-  return glm::normalize(v / largest);
+double largest_part(const dvec3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+bool is_direction(const dvec3& v) {
+  return std::isfinite(v.x + v.y + v.z) && largest_part(v) > 0;
+}
+
+/// Unit vector along `v` of any magnitude.
+dvec3 direction(const dvec3& v) {
+  return glm::normalize(v / largest_part(v));
+}
+
+bool is_positive(double x) {
+  return x > 0 && std::isfinite(x);
 }
 
 /// The eye's right, up and backward axes in world coordinates.
 using Axes = std::array<dvec3, 3>;
 
 Axes camera_axes(const Camera& camera) {
-  dvec3 z = direction(camera.view, "--view");
+  dvec3 z = direction(camera.view);
   if (camera.turn != 0) {
-    z = glm::angleAxis(camera.turn, direction(camera.up, "--up")) * z;
+    z = glm::angleAxis(camera.turn, direction(camera.up)) * z;
   }
-  for (const dvec3& up : {direction(camera.up, "--up"), dvec3(0, 1, 0), dvec3(0, 0, 1)}) {
+  for (const dvec3& up : {direction(camera.up), dvec3(0, 1, 0), dvec3(0, 0, 1)}) {
     const dvec3 x = glm::cross(up, z);
     if (glm::length(x) > kParallel) {
       const dvec3 unit_x = glm::normalize(x);
@@ -169,22 +173,10 @@ double ViewPyramid::nearest_to(const dvec3& target) const {
   return high_depth_ - seen(target).z;
 }
 
-void check_camera(const Camera& camera) {
-  direction(camera.view, "--view");
-  direction(camera.up, "--up");
-  if (!(camera.fov > 0 && camera.fov < 180)) {
-    throw Error(Status::Input, "the field of view must be more than 0 and less than 180 degrees",
-                {"--fov", {}, {}});
-  }
-  if (camera.distance && !(*camera.distance > 0 && std::isfinite(*camera.distance))) {
-    throw Error(Status::Input, "the distance must be positive and finite", {"--distance", {}, {}});
-  }
-  if (!(camera.zoom > 0 && std::isfinite(camera.zoom))) {
-    throw Error(Status::Input, "the zoom must be positive and finite", {"--zoom", {}, {}});
-  }
-  if (camera.target && !std::isfinite(length(*camera.target))) {
-    throw Error(Status::Input, "the target is not finite", {"--target", {}, {}});
-  }
+bool is_possible(const Camera& camera) {
+  return is_direction(camera.view) && is_direction(camera.up) && camera.fov > 0 &&
+         camera.fov < 180 && (!camera.distance || is_positive(*camera.distance)) &&
+         is_positive(camera.zoom) && (!camera.target || std::isfinite(length(*camera.target)));
 }
 
 namespace {
@@ -250,7 +242,10 @@ Camera drawn_camera(const Scene& scene) {
 
 FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect,
                         const ViewPyramid* seen) {
-  check_camera(camera);
+  if (!is_possible(camera)) {
+    throw Error(Status::Input, "no camera stands so far away: its numbers are beyond doubles",
+                {camera.target ? "--target" : "--distance", {}, {}}, "give a place that is nearer");
+  }
   const Axes axes = camera_axes(camera);
   FittedCamera fitted;
   fitted.middle = seen != nullptr ? seen->room().middle : 0;

@@ -86,8 +86,7 @@ class ViewPyramid {
 /// and a distance that it leaves open are those at which `seen` fills its room (not given: the
 /// box's corners); near and far enclose the box, whatever the distance. The target is drawn in the
 /// middle of that room. An up vector along the view is replaced by one that is not.
-/// Throws Error (Input) for a view or up vector of length 0, a distance or zoom that is not
-/// positive, a fov outside (0, 180).
+/// Throws Error (Input) for a camera that is not possible.
 FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect,
                         const ViewPyramid* seen = nullptr);
 
@@ -95,9 +94,9 @@ FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspec
 /// it.
 Camera drawn_camera(const Scene& scene);
 
-/// Throws Error (Input), with the option's name: an angle, a direction, a distance or a target that
-/// no camera can have.
-void check_camera(const Camera& camera);
+/// Its view and up vector have a length, its distance and zoom are positive, its fov is in (0,
+/// 180), and all of them, with the target, are within the range of doubles.
+bool is_possible(const Camera& camera);
 
 /// Where a picture of `size` pixels shows a point of the world, from the upper left corner; nothing
 /// for a point beside or behind the eye.

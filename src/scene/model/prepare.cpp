@@ -109,7 +109,8 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
   const bool leans = depends(graph, ends[0], kDependsU) || depends(graph, ends[1], kDependsU);
   if (leans && ends[0] == ends[1]) {
     throw Error(Status::Input, "the range of " + name_v + " is empty", range_v.place(),
-                "its ends must differ");
+                "both ends are the same; they must differ, for example " + name_v + "=0:sin(" +
+                    name_u + ")");
   }
   const RangeEnds v = leans ? RangeEnds{0, 1} : constant_ends(scope, range_v, scene.t);
   result.domain = {u.min, u.max, v.min, v.max, spec.parameters};

@@ -7,6 +7,7 @@
 
 #include "formula/expression.h"
 #include "formula/graph.h"
+#include "scene/model/values.h"
 
 namespace saddle {
 namespace {
@@ -148,7 +149,8 @@ RangeEnds constant_ends(Scope& scope, const RangeText& range, double t) {
   }
   if (values[0] == values[1]) {
     throw Error(Status::Input, "the range of " + range.name + " is empty", range.place(),
-                "its ends must differ, for example " + range.name + "=0:2*pi");
+                "both ends are " + format_number(values[0]) + "; they must differ, for example " +
+                    range.name + "=0:2*pi");
   }
   if (!std::isfinite(values[1] - values[0])) {
     throw Error(Status::Input,

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
+#include "scene/model/assignments.h"
 #include "scene/model/prepare.h"
 #include "scene/model/values.h"
 #include "scene/toml/toml_writer.h"
@@ -289,6 +290,11 @@ void Times::resolve(Resolver& resolver, const std::string& name) const {
 }
 
 void Moment::parse(const Given& given) const {
+  if (const auto colon = range_colon(given.text)) {
+    throw Error(Status::Input, "this is one moment",
+                {given.option, given.text, {*colon, *colon + 1}},
+                "a range of time is t=" + given.text);
+  }
   scene->t = finite_constant(*given.scene, given.option, given.text);
 }
 

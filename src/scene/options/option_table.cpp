@@ -169,7 +169,7 @@ constexpr auto kRows = std::to_array<Option>({
     {.name = "turntable",
      .section = Section::Camera,
      .help = "move the eye once round the target in an animation, which then needs no t",
-     .commands = kGraph,
+     .commands = kGraphCheck,
      .table = Table::Camera,
      .scene = [](Scene& s) -> kinds::Slot { return kinds::Flag{&s.camera.turntable}; }},
 
@@ -740,7 +740,7 @@ constexpr auto kRows = std::to_array<Option>({
      .value = "F",
      .section = Section::Time,
      .help = "frames per second, {limits}",
-     .commands = kGraph,
+     .commands = kGraphCheck,
      .table = Table::Animation,
      .scene = [](Scene& s) -> kinds::Slot {
        return kinds::Real{&animation(s).fps, kFramesPerSecond};
@@ -750,7 +750,7 @@ constexpr auto kRows = std::to_array<Option>({
      .section = Section::Time,
      .help = "number of frames; frame k of 0 to N-1 is at MIN+(MAX-MIN)*k/N of t=MIN:MAX",
      .more = "The range of time is 0:1 unless t=MIN:MAX is given.",
-     .commands = kGraph,
+     .commands = kGraphCheck,
      .table = Table::Animation,
      .scene = [](Scene& s) -> kinds::Slot {
        return kinds::Whole{&animation(s).frames, 1, kMaxFrames};

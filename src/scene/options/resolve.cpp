@@ -68,7 +68,7 @@ void check_one_color(const SurfaceSpec& spec, const std::string& prefix) {
   if (spec.color.empty() || !spec.texture) return;
   throw Error(Status::Input, "a surface has a colour by a formula or a texture, not both",
               {prefix + "color", spec.color, {0, spec.color.size()}},
-              "leave one of them out: --color off, --texture off");
+              "leave one of them out; --color off and --texture off do that for a file's");
 }
 
 /// One for the scene's numbers and those of most surfaces; surfaces with definitions of their own

@@ -34,6 +34,25 @@ std::string described(const TomlValue& value) {
   return "";
 }
 
+/// A hint in which the range of `name` is written as on the command line, u=0:2*pi, with that range
+/// as a file has it: u = ["0", "2*pi"].
+Hint with_range_of_file(const Hint& hint, const std::string& name) {
+  Hint result;
+  for (std::string line : hint) {
+    const std::size_t begin = line.find(" " + name + "=");
+    const std::size_t equals = line.find('=', begin);
+    const std::size_t end = std::min(line.find_first_of(" ;", equals), line.size());
+    const std::size_t colon = line.find(':', equals);
+    if (begin != std::string::npos && colon < end) {
+      const std::string low = line.substr(equals + 1, colon - equals - 1);
+      const std::string high = line.substr(colon + 1, end - colon - 1);
+      line.replace(equals, end - equals, " = [\"" + low + "\", \"" + high + "\"]");
+    }
+    result.add(std::move(line));
+  }
+  return result;
+}
+
 /// Whole numbers without an exponent.
 std::string in_digits(double number) {
   constexpr double kMost = 1e15;  // doubles count on to here without gaps
@@ -76,7 +95,9 @@ Error TomlPlaces::located(const Error& error, const std::string& prefix) const {
   const auto same =
       std::find_if(begin, end, [&](const auto& p) { return p.second.text == place.text; });
   const Span span = same != end ? inside(same->second, place.span) : begin->second.span;
-  return text_.error(place.name, error.what(), span, error.hint_lines());
+  const std::size_t key = place.name.rfind(' ') + 1;  // of "animation: t"
+  return text_.error(place.name, error.what(), span,
+                     with_range_of_file(error.hint_lines(), place.name.substr(key)));
 }
 
 /// The bytes `part` of a noted text, in the file: unless it is written with escapes there.

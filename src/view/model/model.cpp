@@ -228,11 +228,7 @@ bool Model::has(Needs needs) const {
 /// The mesh depends on what a pixel is, and close up on what is seen. Where a hand on a surface as
 /// large as numbers get leads beyond them, the camera stays.
 void Model::look_through(const Camera& camera) {
-  try {
-    check_camera(camera);
-  } catch (const Error&) {
-    return;
-  }
+  if (!is_possible(camera)) return;
   const bool close = is_close(camera);
   const Camera before = meshed_camera_.value_or(scene_.camera);
   const bool refine =

@@ -66,5 +66,16 @@ TEST(BisectTogether, FindsTheLastDefinedPlaceOfManyLines) {
   for (std::size_t k = 0; k < lines.size(); ++k) EXPECT_EQ(last[k], dvec2(lines[k][0].y));
 }
 
+/// No number of halvings comes to 0, whose neighbours are 5e-324.
+TEST(BisectTogether, FindsAnEndAtZeroItself) {
+  const Surface surface = height_field("sqrt(u)");
+  const std::vector<Line> lines = {{dvec2(0.7, 0.1), dvec2(-0.3, 0.2)},
+                                   {dvec2(1, -0.4), dvec2(-1, -0.4)}};
+  const std::vector<dvec2> last = last_defined(surface, lines, kAllHalvings, 1);
+  EXPECT_EQ(last[0].x, 0);
+  EXPECT_NEAR(last[0].y, 0.17, 1e-15);
+  EXPECT_EQ(last[1], dvec2(0, -0.4));
+}
+
 }  // namespace
 }  // namespace saddle
