@@ -8,22 +8,10 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "view/panel/colors.h"
+
 namespace saddle {
 namespace {
-
-/// Letters on a dark ground and on a light one: at least 4.5 times as bright or dark as it is.
-struct Inks {
-  ImVec4 wrong;
-  ImVec4 warning;
-  ImVec4 quiet;
-};
-const Inks kOnDark{{1.0F, 0.45F, 0.4F, 1}, {1.0F, 0.75F, 0.35F, 1}, {0.65F, 0.65F, 0.7F, 1}};
-const Inks kOnLight{{0.7F, 0.1F, 0.1F, 1}, {0.5F, 0.3F, 0.0F, 1}, {0.3F, 0.3F, 0.35F, 1}};
-
-const Inks& inks() {
-  constexpr float kMiddle = 0.5F;
-  return ImGui::GetStyleColorVec4(ImGuiCol_WindowBg).x < kMiddle ? kOnDark : kOnLight;
-}
 
 /// Characters on each side of a wrong place that are shown of a long line.
 constexpr std::size_t kAround = 12;
