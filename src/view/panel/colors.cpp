@@ -13,9 +13,10 @@ struct Grounds {
   ImVec4 active;
 };
 const Grounds kDarkGrounds{
-    {0.1F, 0.17F, 0.27F, 1}, {0.1F, 0.22F, 0.38F, 1}, {0.1F, 0.25F, 0.47F, 1}};
+    {0.08F, 0.15F, 0.25F, 1}, {0.1F, 0.22F, 0.38F, 1}, {0.1F, 0.25F, 0.47F, 1}};
 const Grounds kLightGrounds{{1, 1, 1, 1}, {0.8F, 0.9F, 1, 1}, {0.65F, 0.82F, 1, 1}};
-/// Buttons and rows have no rim.
+/// What has a name on it, is folded or chosen: other than fields.
+const ImVec4 kDarkButton{0.2F, 0.23F, 0.28F, 1};
 const ImVec4 kLightButton{0.84F, 0.88F, 0.94F, 1};
 
 void use(const Grounds& grounds, const ImVec4& button) {
@@ -46,7 +47,7 @@ void use_handles(const ImVec4& resting, const ImVec4& active) {
 
 void use_dark_colors() {
   ImGui::StyleColorsDark();
-  use(kDarkGrounds, kDarkGrounds.resting);
+  use(kDarkGrounds, kDarkButton);
   auto& colors = ImGui::GetStyle().Colors;
   colors[ImGuiCol_TextDisabled] = {0.72F, 0.72F, 0.72F, 1};
   use_handles({0.22F, 0.44F, 0.74F, 1}, {0.24F, 0.46F, 0.76F, 1});

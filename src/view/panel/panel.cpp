@@ -15,6 +15,7 @@
 #include "view/panel/fields.h"
 #include "view/panel/light_rows.h"
 #include "view/panel/menus.h"
+#include "view/panel/node_rows.h"
 #include "view/panel/number_fields.h"
 #include "view/panel/object_rows.h"
 #include "view/panel/option_fields.h"
@@ -168,6 +169,8 @@ void Panel::show_list(Desk& desk, const Figures& figures) {
     show_lights(desk);
     if (ImGui::SmallButton("+ light")) desk.action = Action::AddLight;
   }
+  if (header("Nodes")) show_nodes(desk);
+  if (header("Camera")) camera_fields(desk);
   if (header("Scene")) scene_fields(desk);
   if (!quiet_) show_warnings(desk.model, figures);
   if (header("Mesh", true)) show_figures(desk.model, figures);

@@ -214,8 +214,12 @@ std::string for_panel(const std::string& sentence) {
   return text;
 }
 
-void show_tip(const std::string& text) {
+void show_tip(const std::string& text, TipPlace place) {
   if (!ImGui::IsItemHovered() || ImGui::IsAnyItemActive()) return;
+  if (place == TipPlace::BesideWindow) {
+    ImGui::SetNextWindowPos(
+        {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(), ImGui::GetItemRectMin().y});
+  }
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(20 * ImGui::GetFontSize());
   ImGui::TextUnformatted(text.c_str());
