@@ -201,7 +201,8 @@ TEST_F(RandomHands, UndoAllThatTheyDid) {
     viewer.step();
     ASSERT_FALSE(viewer.is_to_end()) << "deed " << i << " of seed " << seed;
     if (i % kEventsToUndo != kEventsToUndo - 1) continue;
-    ASSERT_TRUE(rests(viewer, hand)) << "stuck after " << i << " deeds of seed " << seed;
+    ASSERT_TRUE(rests(viewer, hand))
+        << "stuck after " << i << " deeds of seed " << seed << ": " << describe(viewer);
     const std::string last = undone_things(viewer.model());
     const int count = go_all_the_way(viewer, hand, "Ctrl-Z");
     ASSERT_EQ(undone_things(viewer.model()), first) << "after " << i << " deeds of seed " << seed;

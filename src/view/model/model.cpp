@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/format.h"
 #include "render/picture/framing.h"
 #include "scene/model/strokes.h"
 #include "scene/options/resolve.h"
@@ -327,7 +328,14 @@ dvec3 Model::under(const dvec2& pixel) const {
 }
 
 void Model::pick(const dvec2& pixel) {
-  picked_ = saddle::pick(good_, ray_through(grip(), pixel));
+  const Ray ray = ray_through(grip(), pixel);
+  picked_ = saddle::pick(good_, ray);
+  const auto sight = look_along(good_, ray);
+  if (picked_ || !sight) return;
+  // A tube has no u and v, and the s of its mesh's corners has few digits.
+  const SurfaceSpec& tube = good_.scene.surfaces[sight->instance.surface];
+  const dvec3 p = ray.origin + sight->hit.distance * ray.direction;
+  news_ = tube.name + formatted(": s %.3g  x %.3g  y %.3g  z %.3g", sight->hit.uv.x, p.x, p.y, p.z);
 }
 
 /// Nearer than the point by more than a mesh is off.

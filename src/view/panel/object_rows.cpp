@@ -78,7 +78,8 @@ bool show_row(Desk& desk, std::size_t i) {
   ImGui::SameLine();
   constexpr std::size_t kFewObjects = 2;
   ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_NoTreePushOnOpen |
-                             ImGuiTreeNodeFlags_AllowItemOverlap | ImGuiTreeNodeFlags_FramePadding;
+                             ImGuiTreeNodeFlags_AllowItemOverlap |
+                             ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_FramePadding;
   if (Kind::in(desk.scene()).size() <= kFewObjects) flags |= ImGuiTreeNodeFlags_DefaultOpen;
   const bool is_open = ImGui::TreeNodeEx("##row", flags, "%s", name.c_str());
   return show_row_buttons<Kind>(desk, i, name) && is_open;

@@ -203,9 +203,12 @@ void Panel::show(Model& model, const Figures& figures, double width) {
   if (desk.action) action_ = desk.action;
   // A click into the picture takes the keyboard from a field before the field is shown again.
   const unsigned active = ImGui::GetCurrentContext()->ActiveId;
-  if (active != active_) model.end_edit();
+  const bool is_edited = ImGui::GetCurrentContext()->ActiveIdHasBeenEditedThisFrame;
+  // A press on a slider changes it already: the drag goes on with that change.
+  const bool begins_with_edit = active != 0 && is_edited;
+  if (active != active_ && !begins_with_edit) model.end_edit();
   active_ = active;
-  changed_ |= ImGui::GetCurrentContext()->ActiveIdHasBeenEditedThisFrame;
+  changed_ |= is_edited;
 }
 
 }  // namespace saddle

@@ -124,6 +124,7 @@ void Viewer::take_events() {
     // A key that changes the picture is answered there.
     has_key_ |= event.kind != Event::Kind::KeyUp && (was_stale || !drawing_.is_stale());
   }
+  is_panel_behind_ |= window_.has_events();  // those that do not fit into the same frame
 }
 
 /// A file that was asked for is waited for; who asks to end once more does not want to.
