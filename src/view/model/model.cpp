@@ -269,6 +269,7 @@ bool Model::keeps_up() const {
 
 /// A formula that is wrong is for the worker to find; a number that is, is found here.
 void Model::request_meshes(Manner manner) {
+  refine_at_.reset();
   try {
     scene_ = resolve(scene_);
   } catch (...) {
@@ -281,7 +282,6 @@ void Model::request_meshes(Manner manner) {
   if (!meshed_camera_ || sees_another_size(camera, *meshed_camera_) || is_close(camera)) {
     meshed_camera_ = camera;
   }
-  refine_at_.reset();
   if (!is_meshing()) requested_ = Clock::now();
   Scene asked = with_strokes(scene_);
   asked.camera = *meshed_camera_;
