@@ -24,9 +24,9 @@ void put_on(const Scene& scene, PointSpec& point, const std::string& surface);
 
 /// A node that moves nothing, with nothing in it.
 void add_node(Scene& scene);
-/// What is in it, and the lights that are at it, go to the node around it.
+/// All that is in it, and the lights that are at it, go to the node around it.
 void delete_node(Scene& scene, std::size_t index);
-/// What is in it stays in it.
+/// All that is in it stays in it.
 void rename_node(Scene& scene, std::size_t index, const std::string& name);
 
 /// `name`, or the first of "name 2", "name 3" ... that no object of the scene has.

@@ -15,7 +15,7 @@ struct Grounds {
 const Grounds kDarkGrounds{
     {0.08F, 0.15F, 0.25F, 1}, {0.1F, 0.22F, 0.38F, 1}, {0.1F, 0.25F, 0.47F, 1}};
 const Grounds kLightGrounds{{1, 1, 1, 1}, {0.8F, 0.9F, 1, 1}, {0.65F, 0.82F, 1, 1}};
-/// What has a name on it, is folded or chosen: other than fields.
+/// Buttons, headers and what is chosen of a list: other than fields.
 const ImVec4 kDarkButton{0.2F, 0.23F, 0.28F, 1};
 const ImVec4 kLightButton{0.84F, 0.88F, 0.94F, 1};
 

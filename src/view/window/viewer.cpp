@@ -25,6 +25,9 @@ constexpr std::chrono::milliseconds kLook{200};
 
 /// Frames after the last event, in which the panel comes to rest.
 constexpr int kSettlingFrames = 3;
+/// Frames until a field that is to get the keyboard has it: that of the key, and those in which the
+/// toolkit finds the field and enters it.
+constexpr int kFramesToEnter = 4;
 
 constexpr std::chrono::seconds kMessageTime{4};
 
@@ -114,7 +117,10 @@ void Viewer::react() {
 /// Letters behind the key that opens a list are the list's: they wait for its field.
 void Viewer::take_events() {
   if (is_text_wanted()) to_enter_ = 0;
-  if (is_panel_behind_ || to_enter_ > 0) return;
+  if (is_panel_behind_ || to_enter_ > 0) {
+    if (window_.has_events()) to_paint_ = std::max(to_paint_, 1);
+    return;
+  }
   for (const Event& event : window_.take_events()) {
     const bool was_stale = drawing_.is_stale();
     if (!is_taken_from_panel(event)) window_.tell_panel(event);
@@ -243,14 +249,14 @@ void Viewer::key(const std::string& name) {
   }
   if (name == "Tab" && model_.view().panel) {
     panel_.enter();
-    to_enter_ = kSettlingFrames;
+    to_enter_ = kFramesToEnter;
   }
   if (row == nullptr) return;
   if (is_typing_ && types_character(*row)) {
     return say("click into the picture, or press Escape, to use its keys");
   }
   act(row->action);
-  if (chooser_.is_open()) to_enter_ = kSettlingFrames;
+  if (chooser_.is_open()) to_enter_ = kFramesToEnter;
 }
 
 /// Editors write a file in place or put another one there: its time tells of both.
