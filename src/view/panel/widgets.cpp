@@ -115,7 +115,8 @@ std::optional<std::string> text_field(const std::string& label, const std::strin
   const float width = ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::BeginGroup();
   if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, inks().wrong);
-  const bool changed = ImGui::InputTextWithHint("##text", hint.c_str(), &now);
+  const std::string seen_hint = shortened(for_panel(hint), width);
+  const bool changed = ImGui::InputTextWithHint("##text", seen_hint.c_str(), &now);
   if (wrong) ImGui::PopStyleColor();
   // One line shows a part of a long formula: all of it stands below while it is edited.
   const bool is_long = ImGui::CalcTextSize(now.c_str()).x > width;
