@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "export/formats/load_scene.h"
 #include "meshing/tessellate.h"
 #include "paths.h"
 #include "render/gl/gl.h"
+#include "viewer/gl_names.h"
 #include "viewer/workplace.h"
 
 namespace saddle {
@@ -208,6 +211,31 @@ TEST_F(Workplace, DrawsAnEditWithItsMesh) {
     together += viewer.model().meshes() != meshes ? 1 : 0;
   }
   EXPECT_GT(together, 0) << "no picture before that of the edit";
+}
+
+TEST_F(Workplace, ForgetsProgramsOfFormulasThatAreGone) {
+  Viewer viewer(setup_of(entry("torus")));  // its context
+  const CountedPrograms programs;
+  Renderer renderer;
+  Canvas canvas;
+  const std::vector<std::string> functions{"sin", "cos", "tan", "atan", "exp", "sinh", "cosh"};
+  int most = 0;
+  int made = 0;
+  for (const std::string& f : functions) {
+    for (const std::string& g : functions) {
+      Scene scene;
+      scene.picture.shading = Shading::Exact;
+      scene.mesh.samples = GridSize{2, 2};
+      scene.surfaces.emplace_back().z = "u*v+" + f + "(" + g + "(u))";
+      const Tessellation surface = tessellate(scene, scene.surfaces[0], {.picture = true}, 1);
+      renderer.set_surface(scene, 0, surface.mesh);
+      const FittedCamera camera = fit_camera(scene.camera, surface.mesh.bounds, 1);
+      canvas.draw(renderer, {scene, camera, {}}, 16, 16, 1, 1);
+      ++made;
+      most = std::max(most, programs.live());
+    }
+  }
+  EXPECT_LT(most, 60) << made << " formulas, two programs each";
 }
 
 }  // namespace
