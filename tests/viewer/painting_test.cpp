@@ -2,10 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "export/formats/load_scene.h"
+#include "meshing/tessellate.h"
 #include "paths.h"
+#include "render/gl/gl.h"
+#include "viewer/gl_names.h"
 #include "viewer/workplace.h"
 
 namespace saddle {
@@ -29,6 +36,39 @@ ViewerSetup see_through(int width, int height) {
   setup.scene.picture.width = width;
   setup.scene.picture.height = height;
   return setup;
+}
+
+/// Counts the pixels that are copied from one framebuffer to another while it lives, as far as
+/// scissors let it. One at a time.
+class Copies {
+ public:
+  Copies() {
+    pixels_ = 0;
+    blit_ = glad_glBlitFramebuffer;
+    glad_glBlitFramebuffer = [](GLint x0, GLint y0, GLint x1, GLint y1, GLint to_x0, GLint to_y0,
+                                GLint to_x1, GLint to_y1, GLbitfield what, GLenum filter) {
+      std::array<GLint, 4> box{};
+      glGetIntegerv(GL_SCISSOR_BOX, box.data());
+      pixels_ += box[2] * box[3];
+      blit_(x0, y0, x1, y1, to_x0, to_y0, to_x1, to_y1, what, filter);
+    };
+  }
+  ~Copies() { glad_glBlitFramebuffer = blit_; }
+  Copies(const Copies&) = delete;
+  Copies& operator=(const Copies&) = delete;
+
+  static int pixels() { return pixels_; }
+
+ private:
+  static inline int pixels_ = 0;
+  static inline PFNGLBLITFRAMEBUFFERPROC blit_ = nullptr;
+};
+
+Event event_at(Event::Kind kind, const dvec2& place) {
+  Event event;
+  event.kind = kind;
+  event.place = place;
+  return event;
 }
 
 TEST_F(Workplace, IsLightWhereItsSceneIs) {
@@ -105,6 +145,97 @@ TEST_F(Workplace, AnswersKeysBetweenParts) {
   EXPECT_TRUE(viewer.drawing().is_refining()) << "the help did not wait for the picture";
   EXPECT_GT(viewer.spent().frames, frames);
   EXPECT_TRUE(rests(viewer));
+}
+
+TEST_F(Workplace, CopiesOnlyWhatHasChangedToTheWindow) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  const Image before = picture();
+  const Copies copies;
+  const std::size_t frames = viewer.spent().frames;
+  key(viewer, "Tab");
+  ASSERT_TRUE(rests(viewer));
+  EXPECT_GT(viewer.spent().frames, frames);
+  constexpr int kRim = 10'000;  // of the panel, in a few frames
+  EXPECT_LT(copies.pixels(), kRim) << "the panel alone is another";
+  key(viewer, "Escape", kEscape);
+  key(viewer, "F1");
+  ASSERT_TRUE(rests(viewer));
+  EXPECT_NE(picture().rgba, before.rgba);
+  key(viewer, "F1");
+  ASSERT_TRUE(rests(viewer));
+  EXPECT_EQ(picture().rgba, before.rgba) << "nothing of the help is left";
+  EXPECT_GT(copies.pixels(), kRim);
+}
+
+TEST_F(Workplace, AnswersAKeyBeforeThePictureThatMoves) {
+  Viewer viewer(see_through(800, 600));
+  ASSERT_TRUE(rests(viewer));
+  viewer.receive(event_at(Event::Kind::Press, {700, 300}));
+  while (viewer.has_events()) viewer.step();
+  const auto pictures = [&] { return viewer.drawing().figures().frames; };
+  for (int i = 0; i < 6; ++i) {
+    const std::size_t drawn = pictures();
+    viewer.receive(event_at(Event::Kind::Move, {710.0 + 10 * i, 300}));
+    receive_key(viewer, "F1");
+    const std::size_t frames = viewer.spent().frames;
+    while (viewer.spent().frames == frames) viewer.step();
+    if (i % 2 == 0) {
+      EXPECT_EQ(pictures(), drawn) << "the help did not wait for the picture";
+    }
+    ASSERT_TRUE(until(viewer, [&] { return pictures() > drawn; })) << "nor is it forgotten";
+  }
+  EXPECT_TRUE(rests(viewer));
+}
+
+TEST_F(Workplace, DrawsAnEditWithItsMesh) {
+  ViewerSetup setup = setup_of(entry("torus"));
+  setup.tessellate = [](const Scene& scene, std::size_t surface, Detail) {
+    Scene asked = scene;
+    asked.mesh.samples = GridSize{8, 8};
+    return tessellate(asked, asked.surfaces[surface], {.picture = true}, 1);
+  };
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(rests(viewer));
+  press_at(viewer, {200, 115});
+  constexpr int kEnd = 269;
+  key(viewer, "", kEnd);
+  type(viewer, "+0.");
+  int together = 0;
+  for (int i = 0; i < 8; ++i) {  // a machine that does other things, too, may take long for some
+    ASSERT_TRUE(rests(viewer));
+    const auto meshes = viewer.model().meshes();
+    const std::size_t pictures = viewer.drawing().figures().frames;
+    receive_text(viewer, "0");
+    ASSERT_TRUE(until(viewer, [&] { return viewer.drawing().figures().frames > pictures; }));
+    together += viewer.model().meshes() != meshes ? 1 : 0;
+  }
+  EXPECT_GT(together, 0) << "no picture before that of the edit";
+}
+
+TEST_F(Workplace, ForgetsProgramsOfFormulasThatAreGone) {
+  Viewer viewer(setup_of(entry("torus")));  // its context
+  const CountedPrograms programs;
+  Renderer renderer;
+  Canvas canvas;
+  const std::vector<std::string> functions{"sin", "cos", "tan", "atan", "exp", "sinh", "cosh"};
+  int most = 0;
+  int made = 0;
+  for (const std::string& f : functions) {
+    for (const std::string& g : functions) {
+      Scene scene;
+      scene.picture.shading = Shading::Exact;
+      scene.mesh.samples = GridSize{2, 2};
+      scene.surfaces.emplace_back().z = "u*v+" + f + "(" + g + "(u))";
+      const Tessellation surface = tessellate(scene, scene.surfaces[0], {.picture = true}, 1);
+      renderer.set_surface(scene, 0, surface.mesh);
+      const FittedCamera camera = fit_camera(scene.camera, surface.mesh.bounds, 1);
+      canvas.draw(renderer, {scene, camera, {}}, 16, 16, 1, 1);
+      ++made;
+      most = std::max(most, programs.live());
+    }
+  }
+  EXPECT_LT(most, 60) << made << " formulas, two programs each";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -106,6 +107,32 @@ class RandomHands : public ViewerHere {
            (viewer.drawing().is_at_rest() ? "" : "drawing ") + write_scene(model.scene());
   }
 
+  /// Pixels of the picture that the screen has otherwise, where nothing lies over it. One more or
+  /// less of 255 is rounding.
+  int wrong_pixels_on_screen(const Viewer& viewer, const Image& picture) const {
+    const Model& model = viewer.model();
+    const bool has_panel = model.view().panel;
+    constexpr int kNarrow = 400;  // of a window in which the panel is narrower, too
+    const bool is_covered = !viewer.message().empty() || (model.error() && !has_panel);
+    if (is_covered || (has_panel && picture.width < kNarrow)) return 0;
+    const Image screen = screenshot();
+    const int left = has_panel ? kPanelWidth : 0;
+    constexpr int kRim = 2;  // of the panel
+    int wrong = 0;
+    for (int y = 0; y < std::min(picture.height, screen.height); ++y) {
+      for (int x = kRim; x < std::min(picture.width, screen.width - left); ++x) {
+        const auto* const a = picture.pixel(x, y);
+        const auto* const b = screen.pixel(left + x, y);
+        const auto is_other = [&](int c) { return std::abs(a[c] - b[c]) > 1; };
+        wrong += is_other(0) || is_other(1) || is_other(2) ? 1 : 0;
+      }
+    }
+    ++compared_screens_;
+    constexpr int kMark = 200;  // of a picked point
+    return model.picked() && wrong < kMark ? 0 : wrong;
+  }
+  mutable int compared_screens_ = 0;
+
   /// From a pixel to more than the screen, a quarter of the times; where it was, the others.
   void resize(std::uint64_t seed) const {
     const auto below = [&](int end) { return static_cast<int>(end * random_unit(seed++)); };
@@ -174,7 +201,8 @@ TEST_F(RandomHands, UndoAllThatTheyDid) {
     viewer.step();
     ASSERT_FALSE(viewer.is_to_end()) << "deed " << i << " of seed " << seed;
     if (i % kEventsToUndo != kEventsToUndo - 1) continue;
-    ASSERT_TRUE(rests(viewer, hand)) << "stuck after " << i << " deeds of seed " << seed;
+    ASSERT_TRUE(rests(viewer, hand))
+        << "stuck after " << i << " deeds of seed " << seed << ": " << describe(viewer);
     const std::string last = undone_things(viewer.model());
     const int count = go_all_the_way(viewer, hand, "Ctrl-Z");
     ASSERT_EQ(undone_things(viewer.model()), first) << "after " << i << " deeds of seed " << seed;
@@ -212,9 +240,13 @@ TEST_F(RandomHands, LeaveAPictureThatIsRightAndNothingBehind) {
       if (i % kEventsToRest != kEventsToRest - 1) continue;
       ASSERT_TRUE(rests(viewer, hand))
           << "stuck after " << i << " deeds of seed " << seed << ": " << describe(viewer);
-      ASSERT_EQ(viewer.drawing().read().rgba, drawn_afresh(viewer.model()).rgba)
+      const Image picture = viewer.drawing().read();
+      ASSERT_EQ(picture.rgba, drawn_afresh(viewer.model()).rgba)
+          << "after " << i << " deeds of seed " << seed;
+      ASSERT_EQ(wrong_pixels_on_screen(viewer, picture), 0)
           << "after " << i << " deeds of seed " << seed;
     }
+    EXPECT_GT(compared_screens_, 0);
     EXPECT_GT(names->made(), 10) << "the count sees what is made";
   }
   EXPECT_EQ(names->live(), 0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "render/gl/gl.h"
 
@@ -54,6 +55,7 @@ void Canvas::draw(Renderer& renderer, const DrawnView& view, int width, int heig
   const Scissors scissors(0, 0, viewport.samples_across(), viewport.samples_down());
   renderer.draw(view.scene, view.camera, viewport, view.look);
   glFinish();
+  changes_ = {{0, 0, width, height}};
 }
 
 bool Canvas::draw_part(Renderer& renderer, const DrawnView& view, const PixelRect& part) {
@@ -63,7 +65,10 @@ bool Canvas::draw_part(Renderer& renderer, const DrawnView& view, const PixelRec
   const Scissors scissors(n * part.x, n * bottom, n * part.width, n * part.height);
   const bool is_whole = renderer.draw(view.scene, view.camera, whole(n), view.look);
   glFinish();
-  if (is_whole) add_part(part);
+  if (is_whole) {
+    add_part(part);
+    changes_.push_back(part);
+  }
   return is_whole;
 }
 
@@ -83,28 +88,45 @@ void Canvas::add_part(const PixelRect& part) {
 }
 
 /// To the window. Linear filtering of two by two samples to one takes their mean.
-void Canvas::copy(const Samples& from, const PixelRect& part, int x, int y) const {
+void Canvas::copy(const Samples& from, const PixelRect& part, int x) const {
   const auto sample = [&](int pixel) { return static_cast<int>(from.per_side * pixel); };
   const int bottom = height_ - (part.y + part.height);
   const int top = bottom + part.height;
   const int right = part.x + part.width;
   from.target->bind_for_reading();
   glBlitFramebuffer(sample(part.x), sample(bottom), std::max(1, sample(right)),
-                    std::max(1, sample(top)), x + part.x, y + bottom, x + right, y + top,
+                    std::max(1, sample(top)), x + part.x, bottom, x + right, top,
                     GL_COLOR_BUFFER_BIT, from.per_side == 1 ? GL_NEAREST : GL_LINEAR);
 }
 
-void Canvas::show(int x, int y) const {
+void Canvas::show(int x, int window_height, const PixelRect& part) const {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glClearColor(0, 0, 0, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
+  const int bottom = window_height - (part.y + part.height);
+  const Scissors scissors(part.x, bottom, part.width, part.height);
   const Samples& samples = is_coarse_ ? coarse_ : fine_;
-  if (!samples.target) return;
-  copy(samples, {0, 0, width_, height_}, x, y);
-  for (const PixelRect& part : parts_) {
-    if (is_coarse_) copy(fine_, part, x, y);
+  const bool is_covered = samples.target && part.x >= x && part.x + part.width <= x + width_ &&
+                          bottom + part.height <= height_;
+  if (!is_covered) {
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+  }
+  if (samples.target) {
+    copy(samples, {0, 0, width_, height_}, x);
+    for (const PixelRect& fine : parts_) {
+      if (is_coarse_) copy(fine_, fine, x);
+    }
   }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glFinish();
+}
+
+std::vector<PixelRect> Canvas::take_changes(int x, int window_height) {
+  std::vector<PixelRect> changes = std::exchange(changes_, {});
+  for (PixelRect& part : changes) {
+    part.x += x;
+    part.y += window_height - height_;
+  }
+  return changes;
 }
 
 Image Canvas::read() const {

@@ -33,8 +33,12 @@ class Canvas {
   /// It has all parts.
   void finish() { is_coarse_ = false; }
 
-  /// Fills the window with black and copies the picture into it, its lower left at (x, y).
-  void show(int x, int y) const;
+  /// Fills a part of a window of this height with the picture, which has its lower left at (x, 0),
+  /// and with black beside it. Returns when that is done.
+  void show(int x, int window_height, const PixelRect& part) const;
+
+  /// The parts of that window whose pixels are others than at the last call.
+  std::vector<PixelRect> take_changes(int x, int window_height);
 
   /// The pixels of the picture that was drawn last; of none or a coarse one, none.
   Image read() const;
@@ -51,7 +55,7 @@ class Canvas {
   };
   Viewport whole(double per_side) const;
   void add_part(const PixelRect& part);
-  void copy(const Samples& from, const PixelRect& part, int x, int y) const;
+  void copy(const Samples& from, const PixelRect& part, int x) const;
 
   int width_ = 0;  ///< of the picture, in pixels
   int height_ = 0;
@@ -60,6 +64,7 @@ class Canvas {
   Samples coarse_;
   bool is_coarse_ = false;        ///< but for parts of it
   std::vector<PixelRect> parts_;  ///< those that are fine, rows of them together
+  std::vector<PixelRect> changes_;
 };
 
 }  // namespace saddle

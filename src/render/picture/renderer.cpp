@@ -109,9 +109,17 @@ std::vector<PlacedMesh> Renderer::items_of(const Scene& scene, const FittedCamer
   return items;
 }
 
+/// A window in which formulas are typed asks for ever new ones: those of old scenes go.
+void Renderer::forget_old_programs() {
+  if (programs_.size() <= kMostPrograms + kProgramsOfSurface * meshes_.size()) return;
+  programs_.clear();
+  surface_programs_.clear();
+}
+
 bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
                     const Look& look) {
   assert(meshes_.size() == scene.surfaces.size());
+  forget_old_programs();
   Bounds bounds;
   for (const Instance& instance : instances(scene)) {
     bounds.add(transformed(meshes_[instance.surface].bounds(), instance.to_world));

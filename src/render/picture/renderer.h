@@ -110,6 +110,11 @@ class Renderer {
   LineDrawer line_drawer_;
   std::vector<Normals> normals_;  // of each
   std::optional<GpuMesh> marks_;
+  /// Compiled programs that are kept, besides those that the surfaces of a scene may need at once.
+  static constexpr std::size_t kMostPrograms = 32;
+  static constexpr std::size_t kProgramsOfSurface = 8;
+  void forget_old_programs();
+
   std::map<std::string, Program> programs_;  // for surfaces, by their text
   std::vector<SurfaceProgram> surface_programs_;
   std::map<std::size_t, bool> culled_;

@@ -46,7 +46,6 @@ FittedCamera fit_to(const Meshed& meshed, const PictureSettings& picture) {
 std::optional<SightedPoint> look_along(const Meshed& meshed, const Ray& ray) {
   std::optional<SightedPoint> nearest;
   for (const Instance& instance : instances(meshed.scene)) {
-    if (meshed.scene.surfaces[instance.surface].curve) continue;  // it has no u and v
     const glm::dmat4 to_surface = glm::inverse(instance.to_world);
     const Ray own{dvec3(to_surface * glm::dvec4(ray.origin, 1)),
                   glm::dmat3(to_surface) * ray.direction};
@@ -62,6 +61,7 @@ std::optional<PickedPoint> pick(const Meshed& meshed, const Ray& ray) {
   if (!sight) return std::nullopt;
   const Instance& instance = sight->instance;
   const SurfaceSpec& spec = meshed.scene.surfaces[instance.surface];
+  if (spec.curve) return std::nullopt;  // a tube has no u and v
   const Surface surface = prepare_surface(meshed.scene, spec, Order::Second).surface;
   const SurfacePlace place = place_on_surface(surface, sight->ray, sight->hit);
   const dvec3 world(instance.to_world * glm::dvec4(place.position, 1));

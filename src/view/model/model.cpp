@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/format.h"
 #include "render/picture/framing.h"
 #include "scene/model/strokes.h"
 #include "scene/options/resolve.h"
@@ -264,6 +265,7 @@ bool Model::keeps_up() const {
 
 /// A formula that is wrong is for the worker to find; a number that is, is found here.
 void Model::request_meshes(Manner manner) {
+  refine_at_.reset();
   try {
     scene_ = resolve(scene_);
   } catch (...) {
@@ -276,7 +278,6 @@ void Model::request_meshes(Manner manner) {
   if (!meshed_camera_ || sees_another_size(camera, *meshed_camera_) || is_close(camera)) {
     meshed_camera_ = camera;
   }
-  refine_at_.reset();
   if (!is_meshing()) requested_ = Clock::now();
   Scene asked = with_strokes(scene_);
   asked.camera = *meshed_camera_;
@@ -323,7 +324,14 @@ dvec3 Model::under(const dvec2& pixel) const {
 }
 
 void Model::pick(const dvec2& pixel) {
-  picked_ = saddle::pick(good_, ray_through(grip(), pixel));
+  const Ray ray = ray_through(grip(), pixel);
+  picked_ = saddle::pick(good_, ray);
+  const auto sight = look_along(good_, ray);
+  if (picked_ || !sight) return;
+  // A tube has no u and v, and the s of its mesh's corners has few digits.
+  const SurfaceSpec& tube = good_.scene.surfaces[sight->instance.surface];
+  const dvec3 p = ray.origin + sight->hit.distance * ray.direction;
+  news_ = tube.name + formatted(": s %.3g  x %.3g  y %.3g  z %.3g", sight->hit.uv.x, p.x, p.y, p.z);
 }
 
 /// Nearer than the point by more than a mesh is off.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <utility>
+#include <vector>
 
 #include "scene/model/theme.h"
 
@@ -30,6 +31,27 @@ void draw_circle(CurveSpec& curve) {
   curve.y = "sin(2*pi*s)";
   curve.z = "0";
   curve.s = CurveSpec{}.s;
+}
+
+/// Calls `change` for each name of a node that a list has.
+void for_each_list(Scene& scene, const auto& change) {
+  for (SurfaceSpec& spec : scene.surfaces) change(spec.in);
+  for (CurveSpec& curve : scene.curves) change(curve.in);
+  for (PointSpec& point : scene.points) change(point.in);
+}
+
+/// Objects, nodes and lights at one node are at another; `after` may be empty, the world.
+void move_to_node(Scene& scene, const std::string& before, const std::string& after) {
+  for_each_list(scene, [&](std::vector<std::string>& nodes) {
+    std::ranges::replace(nodes, before, after);
+    std::erase(nodes, "");
+  });
+  for (SceneNode& node : scene.nodes) {
+    if (node.in == before) node.in = after;
+  }
+  for (Light& light : scene.lights) {
+    if (light.frame == before) light.frame = after.empty() ? "world" : after;
+  }
 }
 
 /// "(0+2*pi)/2"
@@ -98,6 +120,28 @@ void put_on(const Scene& scene, PointSpec& point, const std::string& surface) {
   point.on = surface;
   point.u = middle_of(spec->u);
   point.v = middle_of(spec->v);
+}
+
+void add_node(Scene& scene) {
+  SceneNode node;
+  node.name = "node";
+  for (int i = 2; std::ranges::count(scene.nodes, node.name, &SceneNode::name) > 0; ++i) {
+    node.name = "node " + std::to_string(i);
+  }
+  scene.nodes.push_back(std::move(node));
+}
+
+void delete_node(Scene& scene, std::size_t index) {
+  const SceneNode node = scene.nodes[index];
+  scene.nodes.erase(scene.nodes.begin() + static_cast<std::ptrdiff_t>(index));
+  move_to_node(scene, node.name, node.in);
+}
+
+/// A name that another node has is an error of the scene: it would have both.
+void rename_node(Scene& scene, std::size_t index, const std::string& name) {
+  const std::string before = std::exchange(scene.nodes[index].name, name);
+  const bool is_other = std::ranges::count(scene.nodes, before, &SceneNode::name) == 0;
+  if (is_other) move_to_node(scene, before, name);
 }
 
 void add_parameter(Scene& scene, const std::string& name) {

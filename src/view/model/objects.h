@@ -1,6 +1,7 @@
 // Objects that are added to a scene, each with a name of its own.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "scene/model/scene.h"
@@ -20,6 +21,13 @@ bool is_on_surface(const StrokeSpec& stroke);
 /// To the middle of the surface of this name, from wherever it was; into space if it is empty.
 void put_on(const Scene& scene, CurveSpec& curve, const std::string& surface);
 void put_on(const Scene& scene, PointSpec& point, const std::string& surface);
+
+/// A node that moves nothing, with nothing in it.
+void add_node(Scene& scene);
+/// All that is in it, and the lights that are at it, go to the node around it.
+void delete_node(Scene& scene, std::size_t index);
+/// All that is in it stays in it.
+void rename_node(Scene& scene, std::size_t index, const std::string& name);
 
 /// `name`, or the first of "name 2", "name 3" ... that no object of the scene has.
 std::string free_name(const Scene& scene, const std::string& name);

@@ -107,8 +107,9 @@ bool show_row(Desk& desk, const LightRow& row, const Light& light) {
     edit_light(desk, row, "", [&](Light& l) { l.enabled = is_on ? 0 : 1; });
   }
   ImGui::SameLine();
-  constexpr ImGuiTreeNodeFlags kFlags =
-      ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_AllowItemOverlap;
+  constexpr ImGuiTreeNodeFlags kFlags = ImGuiTreeNodeFlags_NoTreePushOnOpen |
+                                        ImGuiTreeNodeFlags_AllowItemOverlap |
+                                        ImGuiTreeNodeFlags_SpanAvailWidth;
   const bool is_open = ImGui::TreeNodeEx("##light", kFlags, "light %zu", row.index + 1);
   ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - icons_width(2));
   if (icon_button(Icon::Copy, "a copy of it")) {

@@ -17,7 +17,7 @@ std::optional<Action> show_menus(const std::function<bool(Action)>& can,
       if (ImGui::MenuItem(row.name, row.key, is_on(row.action), can(row.action))) {
         chosen = row.action;
       }
-      show_tip(row.help);
+      show_tip(row.help, TipPlace::BesideWindow);  // the menu's keys stay to be seen
     }
     ImGui::EndMenu();
   }

@@ -10,6 +10,7 @@
 #include "scene/model/prepare.h"
 #include "scene/model/values.h"
 #include "view/model/objects.h"
+#include "view/panel/node_rows.h"
 #include "view/panel/number_fields.h"
 #include "view/panel/option_fields.h"
 #include "view/panel/parameter_rows.h"
@@ -77,7 +78,8 @@ bool show_row(Desk& desk, std::size_t i) {
   ImGui::SameLine();
   constexpr std::size_t kFewObjects = 2;
   ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_NoTreePushOnOpen |
-                             ImGuiTreeNodeFlags_AllowItemOverlap | ImGuiTreeNodeFlags_FramePadding;
+                             ImGuiTreeNodeFlags_AllowItemOverlap |
+                             ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_FramePadding;
   if (Kind::in(desk.scene()).size() <= kFewObjects) flags |= ImGuiTreeNodeFlags_DefaultOpen;
   const bool is_open = ImGui::TreeNodeEx("##row", flags, "%s", name.c_str());
   return show_row_buttons<Kind>(desk, i, name) && is_open;
@@ -146,7 +148,10 @@ void show_surface(Desk& desk, std::size_t i) {
   range(spec.parameters[0], &SurfaceSpec::u);
   range(spec.parameters[1], &SurfaceSpec::v);
   show_parameters(desk, i);
-  if (more()) surface_fields(desk, i);
+  if (!more()) return;
+  nodes_field(
+      desk, spec.name + "in", [i](Scene & scene) -> auto& { return scene.surfaces[i].in; });
+  surface_fields(desk, i);
 }
 
 constexpr const char* kInSpace = "in space";
@@ -187,7 +192,10 @@ void show_curve(Desk& desk, std::size_t i) {
   }
   range_field(desk, "s", curve.name + "s", desk.is_wrong("s"),
               [i](Scene& scene) -> Range& { return scene.curves[i].s; });
-  if (more()) curve_fields(desk, i);
+  if (!more()) return;
+  nodes_field(
+      desk, curve.name + "in", [i](Scene & scene) -> auto& { return scene.curves[i].in; });
+  curve_fields(desk, i);
 }
 
 void show_point(Desk& desk, std::size_t i) {
@@ -208,7 +216,10 @@ void show_point(Desk& desk, std::size_t i) {
     const auto at = [i](Scene& scene) -> Vector& { return *scene.points[i].at; };
     vector_field(desk, "at", point.name + "at", at);
   }
-  if (more()) point_fields(desk, i);
+  if (!more()) return;
+  nodes_field(
+      desk, point.name + "in", [i](Scene & scene) -> auto& { return scene.points[i].in; });
+  point_fields(desk, i);
 }
 
 }  // namespace

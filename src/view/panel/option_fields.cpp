@@ -115,6 +115,12 @@ void scene_fields(Desk& desk) {
   });
 }
 
+void camera_fields(Desk& desk) {
+  each_row_of(Table::Camera, [&](const Option& option) {
+    option_field(desk, option, "camera", [&](Scene& scene) { return option.scene(scene); });
+  });
+}
+
 void surface_fields(Desk& desk, std::size_t index) {
   each_row_of(Table::Surface, [&](const Option& option) {
     option_field(desk, option, "surface " + std::to_string(index),

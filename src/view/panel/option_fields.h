@@ -18,9 +18,10 @@ using SlotIn = std::function<kinds::Slot(Scene&)>;
 void option_field(Desk& desk, const Option& option, const std::string& owner,
                   const SlotIn& slot_in);
 
-/// Fields for all keys of the scene file's top that are not shown elsewhere, of a surface, a curve
-/// and a point.
+/// Fields for all keys of the scene file's top that are not shown elsewhere, of the camera, a
+/// surface, a curve and a point.
 void scene_fields(Desk& desk);
+void camera_fields(Desk& desk);
 void surface_fields(Desk& desk, std::size_t index);
 void curve_fields(Desk& desk, std::size_t index);
 void point_fields(Desk& desk, std::size_t index);

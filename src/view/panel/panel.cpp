@@ -15,6 +15,7 @@
 #include "view/panel/fields.h"
 #include "view/panel/light_rows.h"
 #include "view/panel/menus.h"
+#include "view/panel/node_rows.h"
 #include "view/panel/number_fields.h"
 #include "view/panel/object_rows.h"
 #include "view/panel/option_fields.h"
@@ -168,6 +169,8 @@ void Panel::show_list(Desk& desk, const Figures& figures) {
     show_lights(desk);
     if (ImGui::SmallButton("+ light")) desk.action = Action::AddLight;
   }
+  if (header("Nodes")) show_nodes(desk);
+  if (header("Camera")) camera_fields(desk);
   if (header("Scene")) scene_fields(desk);
   if (!quiet_) show_warnings(desk.model, figures);
   if (header("Mesh", true)) show_figures(desk.model, figures);
@@ -200,9 +203,12 @@ void Panel::show(Model& model, const Figures& figures, double width) {
   if (desk.action) action_ = desk.action;
   // A click into the picture takes the keyboard from a field before the field is shown again.
   const unsigned active = ImGui::GetCurrentContext()->ActiveId;
-  if (active != active_) model.end_edit();
+  const bool is_edited = ImGui::GetCurrentContext()->ActiveIdHasBeenEditedThisFrame;
+  // A press on a slider changes it already: the drag goes on with that change.
+  const bool begins_with_edit = active != 0 && is_edited;
+  if (active != active_ && !begins_with_edit) model.end_edit();
   active_ = active;
-  changed_ |= ImGui::GetCurrentContext()->ActiveIdHasBeenEditedThisFrame;
+  changed_ |= is_edited;
 }
 
 }  // namespace saddle

@@ -8,22 +8,10 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "view/panel/colors.h"
+
 namespace saddle {
 namespace {
-
-/// Letters on a dark ground and on a light one: at least 4.5 times as bright or dark as it is.
-struct Inks {
-  ImVec4 wrong;
-  ImVec4 warning;
-  ImVec4 quiet;
-};
-const Inks kOnDark{{1.0F, 0.45F, 0.4F, 1}, {1.0F, 0.75F, 0.35F, 1}, {0.65F, 0.65F, 0.7F, 1}};
-const Inks kOnLight{{0.7F, 0.1F, 0.1F, 1}, {0.5F, 0.3F, 0.0F, 1}, {0.3F, 0.3F, 0.35F, 1}};
-
-const Inks& inks() {
-  constexpr float kMiddle = 0.5F;
-  return ImGui::GetStyleColorVec4(ImGuiCol_WindowBg).x < kMiddle ? kOnDark : kOnLight;
-}
 
 /// Characters on each side of a wrong place that are shown of a long line.
 constexpr std::size_t kAround = 12;
@@ -127,7 +115,8 @@ std::optional<std::string> text_field(const std::string& label, const std::strin
   const float width = ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::BeginGroup();
   if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, inks().wrong);
-  const bool changed = ImGui::InputTextWithHint("##text", hint.c_str(), &now);
+  const std::string seen_hint = shortened(for_panel(hint), width);
+  const bool changed = ImGui::InputTextWithHint("##text", seen_hint.c_str(), &now);
   if (wrong) ImGui::PopStyleColor();
   // One line shows a part of a long formula: all of it stands below while it is edited.
   const bool is_long = ImGui::CalcTextSize(now.c_str()).x > width;
@@ -226,8 +215,12 @@ std::string for_panel(const std::string& sentence) {
   return text;
 }
 
-void show_tip(const std::string& text) {
+void show_tip(const std::string& text, TipPlace place) {
   if (!ImGui::IsItemHovered() || ImGui::IsAnyItemActive()) return;
+  if (place == TipPlace::BesideWindow) {
+    ImGui::SetNextWindowPos(
+        {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(), ImGui::GetItemRectMin().y});
+  }
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(20 * ImGui::GetFontSize());
   ImGui::TextUnformatted(text.c_str());

@@ -50,7 +50,9 @@ std::string shortened(const std::string& text, float width);
 /// "--clip off".
 std::string for_panel(const std::string& sentence);
 
+enum class TipPlace { AtPointer, BesideWindow };
+
 /// The tooltip of the last thing, unless a hand is at work.
-void show_tip(const std::string& text);
+void show_tip(const std::string& text, TipPlace place = TipPlace::AtPointer);
 
 }  // namespace saddle

@@ -10,8 +10,9 @@ namespace saddle {
 namespace {
 
 /// A moving picture is drawn more coarsely if it takes longer than this, and finer if that, with
-/// four times the samples, is not to be expected: an eye takes 25 pictures a second for a movement.
-constexpr double kSlowMs = 35;
+/// four times the samples, is not to be expected. A key waits for it, and then for the panel: that
+/// is less than 50 ms.
+constexpr double kSlowMs = 25;
 constexpr double kCoarsest = 0.125;
 
 /// The first picture, of which nothing is known, has at most so many samples.
@@ -25,7 +26,7 @@ constexpr double kMuchLarger = 1.5;
 /// the mesh. The largest is no more than four times as slow below an empty row as expected.
 constexpr int kSmallestPart = 128;
 constexpr int kLargestPart = 256;
-constexpr double kSlowPartMs = 24;
+constexpr double kSlowPartMs = 16;
 constexpr double kQuickPartMs = 6;
 
 /// draw() returns after this time, and has something to show after that one.
@@ -80,15 +81,23 @@ void Drawing::make_marks(const Model& model) {
 void Drawing::change() {
   stage_ = Stage::Stale;
   moved_ = Clock::now();
+  not_before_ = {};
+}
+
+void Drawing::change_with_meshes() {
+  const bool is_late = stage_ == Stage::Stale;
+  const auto before = not_before_;
+  change();
+  not_before_ = is_late ? before : moved_ + kMeshesSoon;
 }
 
 bool Drawing::is_due(Clock::time_point now) const {
-  if (stage_ == Stage::Coarse) return now >= moved_ + kRest;
-  return stage_ != Stage::Done;
+  return stage_ != Stage::Done && now >= *due();
 }
 
 std::optional<Drawing::Clock::time_point> Drawing::due() const {
   if (stage_ == Stage::Done) return std::nullopt;
+  if (stage_ == Stage::Stale) return not_before_;
   return stage_ == Stage::Coarse ? moved_ + kRest : Clock::time_point();
 }
 
@@ -112,6 +121,12 @@ bool Drawing::draw(const Model& model) {
   if (!is_stale && stage_ != Stage::Done && end < shown_ + kShowEvery) return false;
   shown_ = end;
   return true;
+}
+
+bool Drawing::show(int width, int height, int left, Clock::time_point end) {
+  buffer_.begin_frame(width, height, left);
+  for (const PixelRect& part : canvas_.take_changes(left, height)) buffer_.damage(part);
+  return buffer_.fill(canvas_, end);
 }
 
 int Drawing::finest(const Model& model) const {

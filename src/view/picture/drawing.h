@@ -5,12 +5,14 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "render/picture/canvas.h"
 #include "render/picture/renderer.h"
 #include "view/model/model.h"
+#include "view/picture/window_buffer.h"
 
 namespace saddle {
 
@@ -33,6 +35,8 @@ class Drawing {
 
   /// The visible picture has changed.
   void change();
+  /// By an edit: it is drawn with the meshes of that, unless these take long.
+  void change_with_meshes();
 
   /// The picture is not what it should be, and draw() can go on at once.
   bool is_due(Clock::time_point now) const;
@@ -40,6 +44,8 @@ class Drawing {
   std::optional<Clock::time_point> due() const;
   /// The picture is what it should be.
   bool is_at_rest() const { return stage_ == Stage::Done; }
+  /// It is another picture that should be seen.
+  bool is_stale() const { return stage_ == Stage::Stale; }
   /// Parts of it are.
   bool is_refining() const { return stage_ == Stage::Refining; }
 
@@ -47,8 +53,13 @@ class Drawing {
   bool draw(const Model& model);
   /// Keeps the picture that is there until another change.
   void give_up() { stage_ = Stage::Done; }
-  /// Copies it to the window, its left side at pixel x.
-  void show(int x) const { canvas_.show(x, 0); }
+  /// Copies to a window of this size, at the right of `left`, what that does not have yet, until
+  /// `end`; true: it has all of it.
+  bool show(int width, int height, int left, Clock::time_point end);
+  /// The window's frame is drawn, with something over the picture in `covered`, and is shown.
+  void end_frame(std::span<const PixelRect> covered) { buffer_.end_frame(covered); }
+  /// The window has something else in place of the picture.
+  void forget_window() { buffer_.damage_all(); }
   /// The picture's pixels.
   Image read() const { return canvas_.read(); }
 
@@ -58,6 +69,8 @@ class Drawing {
  private:
   /// A picture that is coarse becomes fine once nothing has moved for so long.
   static constexpr std::chrono::milliseconds kRest{120};
+  /// Meshes of an edit that take longer are not waited for.
+  static constexpr std::chrono::milliseconds kMeshesSoon{50};
 
   enum class Stage {
     Stale,     ///< the picture is not what is to be seen
@@ -83,6 +96,7 @@ class Drawing {
 
   Renderer renderer_;
   Canvas canvas_;
+  WindowBuffer buffer_;
   std::vector<std::shared_ptr<const SightedMesh>> uploaded_;
   bool exact_ = false;  ///< with what exact normals need
   bool has_marks_ = false;
@@ -93,7 +107,8 @@ class Drawing {
   Cursor cursor_;
   int part_side_;  ///< of a part, which is a square unless the picture ends, in pixels
   Clock::time_point moved_;
-  Clock::time_point shown_;  ///< when draw() has last had something to show
+  Clock::time_point not_before_;  ///< a stale picture is not drawn
+  Clock::time_point shown_;       ///< when draw() has last had something to show
   Figures figures_;
   Clock::duration spent_{};
 };

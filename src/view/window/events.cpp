@@ -81,6 +81,9 @@ bool fits_into_frame(const Event& next, std::span<const Event> before) {
   const auto is_character = [](const Event& e) { return e.kind == Kind::Character; };
   const auto has = [&](const auto& condition) { return std::ranges::any_of(before, condition); };
   if (has(is_button)) return false;
+  // Rows with buttons in them notice a press only where they have seen the pointer before.
+  const bool has_moved = has([](const Event& e) { return e.kind == Kind::Move; });
+  if (next.kind == Kind::Press && has_moved) return false;
   if (is_button(next)) return !has(is_character) && !has(is_key);
   if (is_character(next)) return !has(is_editing_press);
   if (is_modifier(next)) return !has(is_editing_press) && (is_shift(next) || !has(is_character));

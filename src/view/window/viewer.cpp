@@ -25,8 +25,15 @@ constexpr std::chrono::milliseconds kLook{200};
 
 /// Frames after the last event, in which the panel comes to rest.
 constexpr int kSettlingFrames = 3;
+/// Frames until a field that is to get the keyboard has it: that of the key, and those in which the
+/// toolkit finds the field and enters it.
+constexpr int kFramesToEnter = 4;
 
 constexpr std::chrono::seconds kMessageTime{4};
+
+/// Copying a picture to the window goes on in the next step if a step has taken so long: a key may
+/// wait.
+constexpr std::chrono::milliseconds kTurn{12};
 
 double seconds_until(Clock::time_point time) {
   return std::max(0.0, std::chrono::duration<double>(time - Clock::now()).count());
@@ -110,11 +117,20 @@ void Viewer::react() {
 /// Letters behind the key that opens a list are the list's: they wait for its field.
 void Viewer::take_events() {
   if (is_text_wanted()) to_enter_ = 0;
-  if (to_enter_ > 0 && to_enter_-- > 0) return;
+  if (is_panel_behind_ || to_enter_ > 0) {
+    if (window_.has_events()) to_paint_ = std::max(to_paint_, 1);
+    return;
+  }
   for (const Event& event : window_.take_events()) {
+    const bool was_stale = drawing_.is_stale();
     if (!is_taken_from_panel(event)) window_.tell_panel(event);
     handle(event);
+    if (event.kind == Event::Kind::Move || event.kind == Event::Kind::Scroll) continue;
+    is_panel_behind_ = true;
+    // A key that changes the picture is answered there.
+    has_key_ |= event.kind != Event::Kind::KeyUp && (was_stale || !drawing_.is_stale());
   }
+  is_panel_behind_ |= window_.has_events();  // those that do not fit into the same frame
 }
 
 /// A file that was asked for is waited for; who asks to end once more does not want to.
@@ -233,14 +249,14 @@ void Viewer::key(const std::string& name) {
   }
   if (name == "Tab" && model_.view().panel) {
     panel_.enter();
-    to_enter_ = kSettlingFrames;
+    to_enter_ = kFramesToEnter;
   }
   if (row == nullptr) return;
   if (is_typing_ && types_character(*row)) {
     return say("click into the picture, or press Escape, to use its keys");
   }
   act(row->action);
-  if (chooser_.is_open()) to_enter_ = kSettlingFrames;
+  if (chooser_.is_open()) to_enter_ = kFramesToEnter;
 }
 
 /// Editors write a file in place or put another one there: its time tells of both.
@@ -263,41 +279,61 @@ double Viewer::panel_width() const {
       std::min(kPanelWidth * window_.scale(), kPanelShare * window_.framebuffer_size().x));
 }
 
-/// The picture has what the panel leaves of the window.
-void Viewer::fit_picture() {
+/// The picture has what the panel leaves of the window. True: that is another size.
+bool Viewer::fit_picture() {
   const dvec2 window = window_.framebuffer_size();
   const dvec2 size(std::max(1.0, window.x - panel_width()), window.y);
-  if (size == model_.size()) return;
+  if (size == model_.size()) return false;
   model_.resize(size);
   change_picture();
+  return true;
 }
 
 void Viewer::paint() {
   const dvec2 window = window_.framebuffer_size();
   if (window.x < 1 || window.y < 1) {  // minimized
-    to_paint_ = 0;
+    to_paint_ = to_enter_ = 0;
+    is_panel_behind_ = has_key_ = false;
     return;
   }
-  if (!start_shown_) fit_picture();
+  if (!start_shown_ && fit_picture()) has_key_ = false;
   if (!start_shown_ && thumbnails_) thumbnails_->pause();
   if (!message_.empty() && Clock::now() >= message_end_) {
     message_.clear();
     touch();
   }
-  if (start_shown_ ? take_thumbnails() : draw()) to_paint_ = std::max(to_paint_, 1);
-  if (to_paint_ == 0) return;
+  if (!(start_shown_ ? go_on_with_thumbnails() : go_on_with_picture())) return;
   --to_paint_;
   if (std::exchange(title_, model_.scene().title) != title_) window_.set_title(title_);
   window_.set_light(!start_shown_ && model_.scene().theme != Theme::Dark);
   window_.begin_panel();
+  is_panel_behind_ = has_key_ = false;
+  if (to_enter_ > 0) --to_enter_;
   show_panels();
   show_overlay(overlay());
   const auto begin = Clock::now();
-  drawing_.show(static_cast<int>(panel_width()));
-  window_.end_panel();
+  drawing_.end_frame(window_.end_panel());
   window_.swap();
   showing_ += Clock::now() - begin;
   ++paints_;
+}
+
+/// Draws it and copies it to the window. True: a frame is to be shown. A key is answered first,
+/// over what is there of the picture, but not twice in a row: a key that is held down does not stop
+/// it.
+bool Viewer::go_on_with_picture() {
+  const auto begin = Clock::now();
+  const bool is_behind = is_copying_ || drawing_.is_due(begin);
+  was_panel_first_ = has_key_ && is_behind && !was_panel_first_;
+  if (!was_panel_first_ && !is_copying_ && draw()) to_paint_ = std::max(to_paint_, 1);
+  if (to_paint_ == 0) return false;
+  const auto drawn = Clock::now();
+  const dvec2 window = window_.framebuffer_size();
+  is_copying_ = !drawing_.show(static_cast<int>(window.x), static_cast<int>(window.y),
+                               static_cast<int>(panel_width()), begin + kTurn);
+  showing_ += Clock::now() - drawn;
+  if (is_copying_ && has_key_) to_paint_ = std::max(to_paint_, 2);  // this frame, and it
+  return has_key_ || !is_copying_;
 }
 
 /// All that a hand asked of them is done after all of them are shown.
@@ -306,7 +342,10 @@ void Viewer::show_panels() {
     show_start();
   } else if (model_.view().panel) {
     panel_.show(model_, drawing_.figures(), panel_width());
-    if (panel_.take_change()) change_picture();
+    if (panel_.take_change()) {
+      drawing_.change_with_meshes();
+      touch();
+    }
   }
   chooser_.show(panel_width(), panel_.is_confirmed());
   panel_.end_frame();

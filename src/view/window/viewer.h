@@ -93,13 +93,14 @@ class Viewer {
   dvec2 in_picture(const dvec2& place) const { return {place.x - panel_width(), place.y}; }
   bool is_over_picture(const Event& event) const;
   double panel_width() const;
-  void fit_picture();
+  bool fit_picture();
   void take_events();
   void react();
   void paint();
+  bool go_on_with_picture();
   void show_panels();
   void begin_thumbnails();
-  bool take_thumbnails();
+  bool go_on_with_thumbnails();
   void show_start();
   bool draw();
   Overlay overlay();
@@ -137,6 +138,10 @@ class Viewer {
   bool is_typing_ = false;  ///< the last key went to a field, and the picture was not pressed since
   int to_enter_ = 0;        ///< frames in which a field may still get the keyboard: events wait
   int to_paint_;            ///< frames that the window still needs
+  bool has_key_ = false;    ///< that is answered by the panel, in its next frame
+  bool was_panel_first_ = false;  ///< in the last step
+  bool is_panel_behind_ = false;  ///< it has been told what its next frame must see
+  bool is_copying_ = false;       ///< the window does not have all of the picture yet
   std::string message_;
   Clock::time_point message_end_;
   // The last members: their threads wake the window.

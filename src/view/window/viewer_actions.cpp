@@ -208,7 +208,8 @@ void Viewer::show_scene(Scene scene, std::function<Scene()> reload) {
   model_.open(std::move(scene), std::move(reload));
   kept_ = saved_ = model_.history().version();
   start_shown_ = help_shown_ = is_typing_ = false;
-  change_picture();
+  drawing_.change_with_meshes();
+  touch();
 }
 
 /// A file that cannot be opened leaves the scene that is shown, with a message.
@@ -276,10 +277,14 @@ void Viewer::begin_thumbnails() {
   }
 }
 
-bool Viewer::take_thumbnails() {
-  if (!thumbnails_) return false;
-  thumbnails_->go_on();
-  return thumbnails_->take();
+/// True: a frame is to be shown.
+bool Viewer::go_on_with_thumbnails() {
+  drawing_.forget_window();
+  if (thumbnails_) {
+    thumbnails_->go_on();
+    if (thumbnails_->take()) to_paint_ = std::max(to_paint_, 1);
+  }
+  return to_paint_ > 0;
 }
 
 void Viewer::show_start() {

@@ -14,6 +14,7 @@
 #include <imgui.h>
 
 #include "base/error.h"
+#include "view/panel/colors.h"
 
 namespace saddle {
 namespace {
@@ -96,10 +97,24 @@ class HiddenContext final : public Context {
   GLFWwindow* window_;
 };
 
-/// Hints are 4.5 times as bright as the fields that they stand in, which ImGui's own are not.
-void use_dark_colors() {
-  ImGui::StyleColorsDark();
-  ImGui::GetStyle().Colors[ImGuiCol_TextDisabled] = {0.6F, 0.6F, 0.6F, 1};
+/// The boxes around what its commands draw.
+void add_boxes(const ImDrawList& list, std::vector<PixelRect>& boxes) {
+  for (const ImDrawCmd& command : list.CmdBuffer) {
+    const ImVec4& clip = command.ClipRect;
+    ImVec2 low{clip.z, clip.w};
+    ImVec2 high{clip.x, clip.y};
+    for (unsigned i = 0; i < command.ElemCount; ++i) {
+      const int corner = list.IdxBuffer[static_cast<int>(command.IdxOffset + i)];
+      const ImVec2& at = list.VtxBuffer[static_cast<int>(command.VtxOffset) + corner].pos;
+      low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+      high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+    }
+    const int x = static_cast<int>(std::floor(std::max(low.x, clip.x)));
+    const int y = static_cast<int>(std::floor(std::max(low.y, clip.y)));
+    const int right = static_cast<int>(std::ceil(std::min(high.x, clip.z)));
+    const int bottom = static_cast<int>(std::ceil(std::min(high.y, clip.w)));
+    if (x < right && y < bottom) boxes.push_back({x, y, right - x, bottom - y});
+  }
 }
 
 /// No larger than the screen.
@@ -345,15 +360,8 @@ void Window::set_clipboard(const std::string& text) {
 
 void Window::set_light(bool is_light) {
   if (is_light == std::exchange(is_light_, is_light)) return;
-  ImGuiStyle& style = ImGui::GetStyle();
-  if (is_light) {
-    ImGui::StyleColorsLight();
-    style.Colors[ImGuiCol_TextDisabled] = {0.4F, 0.4F, 0.4F, 1};
-    style.Colors[ImGuiCol_PopupBg] = style.Colors[ImGuiCol_WindowBg];
-  } else {
-    use_dark_colors();
-  }
-  style.FrameBorderSize = is_light ? std::round(static_cast<float>(scale_)) : 0;
+  is_light ? use_light_colors() : use_dark_colors();
+  ImGui::GetStyle().FrameBorderSize = is_light ? std::round(static_cast<float>(scale_)) : 0;
 }
 
 void Window::begin_panel() {
@@ -374,9 +382,15 @@ void Window::begin_panel() {
   ImGui::NewFrame();
 }
 
-void Window::end_panel() {
+std::vector<PixelRect> Window::end_panel() {
   ImGui::Render();
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  ImDrawData& drawn = *ImGui::GetDrawData();
+  ImGui_ImplOpenGL3_RenderDrawData(&drawn);
+  std::vector<PixelRect> parts;
+  for (const ImDrawList* list : std::span(drawn.CmdLists, drawn.CmdListsCount)) {
+    add_boxes(*list, parts);
+  }
+  return parts;
 }
 
 void Window::swap() {

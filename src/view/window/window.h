@@ -11,6 +11,7 @@
 
 #include "base/vec.h"
 #include "render/gl/context.h"
+#include "render/gl/viewport.h"
 #include "view/window/events.h"
 
 struct GLFWwindow;
@@ -64,7 +65,8 @@ class Window {
 
   /// Around what Dear ImGui is told to show.
   void begin_panel();
-  void end_panel();
+  /// The parts of the window that have something of it.
+  std::vector<PixelRect> end_panel();
   /// Shows the drawn frame on the screen.
   void swap();
 

@@ -71,6 +71,18 @@ TEST(Model, KeepsTheCameraWhereAHandWouldLeadBeyondNumbers) {
   }
 }
 
+TEST(Model, RestsWhereANumberIsWrong) {
+  PlaneModel model("1");
+  Scene scene = model->scene();
+  scene.surfaces[0].opacity = Number("1/0");
+  model->edit(std::move(scene), "");
+  ASSERT_TRUE(model->error());
+  model->resize({300, 300});
+  ASSERT_TRUE(model->next_pass());
+  model->pass(*model->next_pass());
+  EXPECT_FALSE(model->next_pass()) << "there is no mesh to wait for";
+}
+
 TEST(Model, MovesTheCameraWithTheHand) {
   PlaneModel model("1");
   const dvec3 before = model->grip().fitted.target;

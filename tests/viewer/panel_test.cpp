@@ -1,0 +1,229 @@
+// The panel as a hand finds it: rows, sliders, what it says and marks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/toml/scene_file.h"
+#include "viewer/workplace.h"
+
+namespace saddle {
+namespace {
+
+/// Rows of a scene of one surface with two parameters, as the torus: their middles.
+constexpr double kRowOfSurface = 40;
+constexpr double kFieldOfZ = 115;
+constexpr double kRowOfParameter = 231;
+constexpr double kLights = 306;
+constexpr double kNodes = 331;
+/// The next row.
+constexpr double kApart = 25;
+
+constexpr dvec2 kEye{45, kRowOfSurface};
+constexpr int kEnd = 269;  // GLFW's
+
+class PanelRows : public Workplace {
+ protected:
+  static void press_row(Viewer& viewer, double y) { press_at(viewer, {100, y}); }
+  static void drag(Viewer& viewer, const dvec2& from, const dvec2& to) {
+    const auto send = [&](Event::Kind kind, const dvec2& place) {
+      Event event;
+      event.kind = kind;
+      event.place = place;
+      viewer.receive(event);
+      settle(viewer);
+    };
+    send(Event::Kind::Move, from);
+    send(Event::Kind::Press, from);
+    send(Event::Kind::Move, 0.5 * (from + to));
+    send(Event::Kind::Move, to);
+    send(Event::Kind::Release, to);
+  }
+  static void double_click(Viewer& viewer, const dvec2& place) {
+    for (int i = 0; i < 2; ++i) press_at(viewer, place);
+  }
+  /// Where the middle of the picture is, in a window of setup_of().
+  static constexpr dvec2 kMiddle{320 + 250, 200};
+};
+
+bool is_mark(const Image& screen, const dvec2& place) {
+  const auto* const p = screen.pixel(static_cast<int>(place.x), static_cast<int>(place.y));
+  return p[0] > 120 && 2 * p[1] < p[0] && 2 * p[2] < p[0];
+}
+
+TEST_F(PanelRows, SwitchLightsOneByOneAndAllTogetherIsTold) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  press_row(viewer, kLights);
+  const auto lights = [&]() -> const std::vector<Light>& { return viewer.model().scene().lights; };
+  ASSERT_EQ(lights().size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    press_at(viewer, {45, kLights + kApart * static_cast<double>(i + 1)});
+    EXPECT_TRUE(lights()[i].enabled == 0) << i;
+  }
+  ASSERT_TRUE(rests(viewer));
+  const auto& warnings = viewer.drawing().figures().warnings;
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_NE(warnings.back().find("light"), std::string::npos) << warnings.back();
+  press_at(viewer, kMiddle);
+  key(viewer, "Ctrl-Z");
+  EXPECT_TRUE(lights()[2].enabled == 1);
+}
+
+TEST_F(PanelRows, OpenByAClickThatComesAtOnce) {
+  ViewerSetup setup = setup_of(entry("torus"));
+  setup.scene.picture.height = 650;
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(rests(viewer));
+  press_row(viewer, kLights);
+  press_row(viewer, kLights + kApart);            // the first light
+  press_at(viewer, {200, kLights + 4 * kApart});  // its position, below its frame and kind
+  type(viewer, "7");
+  const Light& light = viewer.model().scene().lights[0];
+  EXPECT_FALSE(light.position.y == default_lights()[0].position.y &&
+               light.position.x == default_lights()[0].position.x &&
+               light.position.z == default_lights()[0].position.z)
+      << "a number of the first light is edited";
+}
+
+TEST_F(PanelRows, DragSlidersToRoundValues) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  const auto value = [&] { return viewer.model().scene().definitions.at(0).text; };
+  ASSERT_EQ(value(), "2");
+  drag(viewer, {166, kRowOfParameter}, {186, kRowOfParameter});
+  EXPECT_GT(std::atof(value().c_str()), 2.5);
+  EXPECT_LE(value().size(), 4U) << value() << " is no round number";
+  press_at(viewer, kMiddle);
+  key(viewer, "Ctrl-Z");
+  EXPECT_EQ(value(), "2") << "a drag is one change";
+}
+
+TEST_F(PanelRows, MakeASliderForAnUnknownName) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  press_row(viewer, kFieldOfZ);
+  key(viewer, "", kEnd);
+  type(viewer, "*kk");
+  ASSERT_TRUE(until(viewer, [&] { return viewer.model().error().has_value(); }));
+  settle(viewer);
+  constexpr double kStrip = 400 - 140;  // its first line, with the button
+  press_at(viewer, {60, kStrip});
+  ASSERT_TRUE(rests(viewer));
+  const Scene& scene = viewer.model().scene();
+  ASSERT_EQ(scene.definitions.back().name, "kk");
+  EXPECT_EQ(scene.sliders.back().name, "kk");
+  EXPECT_FALSE(viewer.model().error());
+}
+
+TEST_F(PanelRows, AddHideAndUndo) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  const std::string first = write_scene(viewer.model().scene());
+  for (const char* add : {"add surface", "add curve", "add point"}) choose(viewer, "Ctrl-P", add);
+  press_at(viewer, kEye);
+  ASSERT_TRUE(rests(viewer));
+  const Scene& scene = viewer.model().scene();
+  EXPECT_FALSE(scene.surfaces.at(0).visible);
+  EXPECT_EQ(scene.surfaces.size() + scene.curves.size() + scene.points.size(), 4U);
+  press_at(viewer, kMiddle);
+  for (int i = 0; i < 4; ++i) key(viewer, "Ctrl-Z");
+  EXPECT_EQ(write_scene(viewer.model().scene()), first);
+}
+
+TEST_F(PanelRows, AddNodesAndNameThem) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  press_row(viewer, kNodes);
+  press_at(viewer, {35, kNodes + kApart - 2});  // + node
+  ASSERT_EQ(viewer.model().scene().nodes.size(), 1U);
+  press_row(viewer, kNodes + kApart);      // unfolds it
+  press_row(viewer, kNodes + 2 * kApart);  // its name
+  key(viewer, "", kEnd);
+  type(viewer, "s");
+  EXPECT_EQ(viewer.model().scene().nodes.at(0).name, "nodes");
+  ASSERT_TRUE(rests(viewer));
+  EXPECT_FALSE(viewer.model().error());
+  press_at(viewer, kMiddle);
+  key(viewer, "Ctrl-Z");
+  key(viewer, "Ctrl-Z");
+  EXPECT_TRUE(viewer.model().scene().nodes.empty());
+}
+
+TEST_F(PanelRows, StayBesideLongMessages) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  const Image before = screenshot();
+  drop(viewer, "/" + std::string(200, 'n') + "/" + std::string(200, 'm'));
+  ASSERT_NE(viewer.message(), "");
+  settle(viewer);
+  const Image after = screenshot();
+  int in_panel = 0;
+  int in_picture = 0;
+  int at_rim = 0;
+  for (int y = 0; y < 400; ++y) {
+    for (int x = 0; x < 820; ++x) {
+      const bool is_same =
+          std::equal(before.pixel(x, y), before.pixel(x, y) + 4, after.pixel(x, y));
+      if (is_same) continue;
+      ++(x < kPanelWidth ? in_panel : in_picture);
+      if (y > 395 || x > 815) ++at_rim;
+    }
+  }
+  EXPECT_EQ(in_panel, 0);
+  EXPECT_GT(in_picture, 1000);
+  EXPECT_EQ(at_rim, 0) << "all of it is in the window";
+}
+
+TEST_F(PanelRows, MarkAPickedPointHollowWhereItIsHidden) {
+  Viewer viewer(setup_of(entry("sphere")));
+  ASSERT_TRUE(rests(viewer));
+  type(viewer, "x");
+  ASSERT_TRUE(rests(viewer));
+  double_click(viewer, kMiddle);
+  ASSERT_TRUE(viewer.model().picked());
+  ASSERT_TRUE(rests(viewer));
+  EXPECT_TRUE(is_mark(screenshot(), kMiddle));
+  type(viewer, "x");  // from the other side
+  ASSERT_TRUE(rests(viewer));
+  ASSERT_TRUE(viewer.model().is_picked_hidden());
+  const Image screen = screenshot();
+  EXPECT_FALSE(is_mark(screen, kMiddle));
+  int rim = 0;
+  for (int x = -6; x <= 6; ++x) {
+    for (int y = -6; y <= 6; ++y) rim += is_mark(screen, kMiddle + dvec2(x, y)) ? 1 : 0;
+  }
+  EXPECT_GT(rim, 8);
+}
+
+TEST_F(PanelRows, TellWhereATubeIsPressed) {
+  Scene scene;
+  CurveSpec& curve = scene.curves.emplace_back();
+  curve.x = "0";
+  curve.y = "0";
+  curve.z = "4*s-2";
+  curve.radius = Number(0.5);
+  Viewer viewer(setup_of(std::move(scene)));
+  ASSERT_TRUE(rests(viewer));
+  double_click(viewer, kMiddle);
+  EXPECT_FALSE(viewer.model().picked()) << "it has no u and v";
+  double s = 0;
+  double x = 0;
+  double y = 0;
+  settle(viewer);
+  double z = 0;
+  const std::string message = viewer.message();
+  ASSERT_EQ(std::sscanf(message.c_str(), "curve: s %lf x %lf y %lf z %lf", &s, &x, &y, &z), 4)
+      << message;
+  EXPECT_NEAR(z, 4 * s - 2, 0.02);
+  EXPECT_NEAR(std::hypot(x, y), 0.5, 0.02);
+}
+
+}  // namespace
+}  // namespace saddle
