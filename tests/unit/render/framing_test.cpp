@@ -87,6 +87,15 @@ TEST(Framing, HoldsBothEndsOfAWay) {
   }
 }
 
+/// The farthest place of a swing is at no moment that is looked at.
+TEST(Framing, HoldsASwingBetweenItsMoments) {
+  for (const char* const middle : {"0.49", "0.52", "0.731"}) {
+    const std::string swing = std::string("a=10-300*(t-") + middle + ")^2";
+    const Framing framing = framing_of(sphere({"r=1", swing, "t=0.4:0.8"}));
+    EXPECT_LT(reach_of_sphere(camera_of(framing), {10, 0, 0}, 1), 1 - 2 * kPictureMargin) << middle;
+  }
+}
+
 TEST(Framing, DependsOnTheRangeAlone) {
   Scene scene;
   for (const std::string& text : sphere({"r=1+t", "a=t^2", "t=0:3"})) assign(scene, text);
