@@ -13,8 +13,10 @@
 namespace saddle {
 namespace {
 
-/// Side of the squares by which triangles are found, in pixels.
-constexpr double kBin = 4;
+/// Pixels of the rectangles by which triangles are found. They are narrow: the slivers of a surface
+/// that oscillates are upright in most pictures.
+constexpr double kBinWidth = 2;
+constexpr double kBinHeight = 8;
 /// Points of a line that are tested, pixels apart: no gap or piece that is shorter is found.
 constexpr double kStep = 0.5;
 /// From there, halvings to the end of a part: 0.5 / 2^4 is a thirty-second of a pixel.
@@ -31,10 +33,10 @@ double area(const dvec3& a, const dvec3& b, const dvec3& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// The least and the largest x of a triangle within a row of squares.
+/// The least and the largest x of a triangle within a row of rectangles.
 std::pair<double, double> extent_in_row(const std::array<dvec3, 3>& corners, int row) {
-  const double top = row * kBin;
-  const double bottom = top + kBin;
+  const double top = row * kBinHeight;
+  const double bottom = top + kBinHeight;
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -58,8 +60,8 @@ std::pair<double, double> extent_in_row(const std::array<dvec3, 3>& corners, int
 PictureDepths::PictureDepths(const FittedCamera& camera, const dvec2& size)
     : camera_(camera),
       size_(size),
-      columns_(static_cast<int>(size.x / kBin) + 1),
-      rows_(static_cast<int>(size.y / kBin) + 1),
+      columns_(static_cast<int>(size.x / kBinWidth) + 1),
+      rows_(static_cast<int>(size.y / kBinHeight) + 1),
       bins_(static_cast<std::size_t>(columns_) * rows_) {}
 
 std::optional<dvec3> PictureDepths::screen(const dvec3& point, double nearer) const {
@@ -94,14 +96,17 @@ void PictureDepths::add(const std::array<dvec3, 3>& corners) {
   drawn.nearest = std::min({a.z, b.z, c.z});
   const auto number = static_cast<std::uint32_t>(triangles_.size());
   triangles_.push_back(drawn);
-  const auto bin = [](double pixel, int count) {
-    return static_cast<int>(std::clamp(std::floor(pixel / kBin), -1.0, static_cast<double>(count)));
+  // Of the picture; one before it, or one after it.
+  const auto bin = [](double place, int count) {
+    return static_cast<int>(std::clamp(std::floor(place), -1.0, static_cast<double>(count)));
   };
-  const int last_row = std::min(rows_ - 1, bin(std::max({a.y, b.y, c.y}), rows_));
-  for (int y = std::max(0, bin(std::min({a.y, b.y, c.y}), rows_)); y <= last_row; ++y) {
+  const auto row = [&](double pixel) { return bin(pixel / kBinHeight, rows_); };
+  const auto column = [&](double pixel) { return bin(pixel / kBinWidth, columns_); };
+  const int last_row = std::min(rows_ - 1, row(std::max({a.y, b.y, c.y})));
+  for (int y = std::max(0, row(std::min({a.y, b.y, c.y}))); y <= last_row; ++y) {
     const auto [low, high] = extent_in_row(drawn.at, y);
-    const int last = std::min(columns_ - 1, bin(high, columns_));
-    for (int x = std::max(0, bin(low, columns_)); x <= last; ++x) {
+    const int last = std::min(columns_ - 1, column(high));
+    for (int x = std::max(0, column(low)); x <= last; ++x) {
       Bin& meets = bins_[static_cast<std::size_t>(y) * columns_ + x];
       meets.triangles.push_back(number);
       meets.is_sorted = false;
@@ -121,8 +126,8 @@ bool PictureDepths::hides(const Drawn& drawn, const dvec3& at) {
 
 bool PictureDepths::is_hidden(const dvec3& at) {
   if (!(at.x >= 0 && at.y >= 0 && at.x < size_.x && at.y < size_.y)) return true;  // not in it
-  Bin& bin = bins_[static_cast<std::size_t>(at.y / kBin) * columns_ +
-                   static_cast<std::size_t>(at.x / kBin)];
+  Bin& bin = bins_[static_cast<std::size_t>(at.y / kBinHeight) * columns_ +
+                   static_cast<std::size_t>(at.x / kBinWidth)];
   const auto nearest = [this](std::uint32_t number) { return triangles_[number].nearest; };
   if (!bin.is_sorted) std::ranges::sort(bin.triangles, {}, nearest);
   bin.is_sorted = true;
