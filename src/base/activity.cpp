@@ -105,7 +105,7 @@ ActivityNow current_activity() {
       now.share += part * static_cast<double>(done) / static_cast<double>(all);
       part /= static_cast<double>(all);
     }
-    // Of work that is not counted, the share that it tells itself; work within it adds nothing.
+    // Work that is not counted tells its share itself; work within it adds nothing.
     if (all == 0 || i + 1 == count) now.share += part * level.share;
     if (all == 0 && level.share > 0) part = 0;
   }

@@ -96,7 +96,7 @@ void PictureDepths::add(const std::array<dvec3, 3>& corners) {
   drawn.nearest = std::min({a.z, b.z, c.z});
   const auto number = static_cast<std::uint32_t>(triangles_.size());
   triangles_.push_back(drawn);
-  // Of the picture; one before it, or one after it.
+  // Its number from the first of the picture, or -1, or `count`.
   const auto bin = [](double place, int count) {
     return static_cast<int>(std::clamp(std::floor(place), -1.0, static_cast<double>(count)));
   };
