@@ -105,7 +105,9 @@ ActivityNow current_activity() {
       now.share += part * static_cast<double>(done) / static_cast<double>(all);
       part /= static_cast<double>(all);
     }
-    if (i + 1 == count) now.share += part * level.share;
+    // Work that is not counted tells its share itself; work within it adds nothing.
+    if (all == 0 || i + 1 == count) now.share += part * level.share;
+    if (all == 0 && level.share > 0) part = 0;
   }
   now.share = std::clamp(now.share, 0.0, 1.0);
   return now;

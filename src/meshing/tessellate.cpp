@@ -27,8 +27,8 @@ namespace saddle {
 namespace {
 
 /// A first mesh, which finds poles or the faces of the box that they need, leaves the next mesh at
-/// least this share of the triangles that are allowed.
-constexpr double kLeastShare = 0.25;
+/// least a quarter of the triangles that are allowed.
+constexpr std::size_t kLeastPart = 4;
 /// Cells in one direction: a multiple of the intervals between grid lines, so that grid lines are
 /// mesh lines, unless there are more of them than cells. An even one, so that the middle of the
 /// range is a mesh line too: there symmetric surfaces have their apexes, cusps and kinks. No part
@@ -79,7 +79,7 @@ auto tolerance_in(const Scene& scene, const SurfaceSpec& spec, const Purpose& pu
 }
 
 MeshRequest first_request(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
-                          const Surface& surface, unsigned threads) {
+                          std::size_t max_triangles, unsigned threads) {
   MeshRequest request;
   if (const auto samples = samples_of(scene, spec)) {
     request.samples = {static_cast<std::size_t>(samples->u), static_cast<std::size_t>(samples->v)};
@@ -91,7 +91,7 @@ MeshRequest first_request(const Scene& scene, const SurfaceSpec& spec, const Pur
   if (request.normal_tolerance < kHalfTurn.high) {
     request.normal_tolerance /= rest_of_stretch(scene, purpose);
   }
-  request.max_triangles = most_triangles(scene, spec, surface);
+  request.max_triangles = max_triangles;
   request.least_effort = least_effort(scene);
   request.lines_u = spec.grid_u;
   request.lines_v = spec.grid_v;
@@ -115,12 +115,13 @@ Bounds far_from(const Bounds& box, const Bounds& whole) {
 class ProportionateMesher {
  public:
   ProportionateMesher(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
-                      const Surface& surface, unsigned threads)
+                      const Surface& surface, std::size_t max_triangles, unsigned threads)
       : scene_(scene),
         spec_(spec),
         purpose_(purpose),
         surface_(surface),
-        request_(first_request(scene, spec, purpose, surface, threads)) {
+        least_triangles_(max_triangles / kLeastPart),
+        request_(first_request(scene, spec, purpose, max_triangles, threads)) {
     request_.tolerance = [this, tolerance = request_.tolerance](const Probe& probe) {
       around_ = probe.bounds();
       positions_ = probe.positions();
@@ -170,10 +171,8 @@ class ProportionateMesher {
   std::optional<MeshResult> next_mesh(MeshRequest& request) const {
     std::optional<MeshResult> mesh = try_mesh(surface_, request);
     if (mesh && !scene_.mesh.max_triangles) {
-      const auto least = static_cast<std::size_t>(
-          kLeastShare * static_cast<double>(most_triangles(scene_, spec_, surface_)));
       const std::size_t taken = mesh->report.effort / kPlacesPerTriangle;
-      request.max_triangles = std::max(request.max_triangles, least + taken) - taken;
+      request.max_triangles = std::max(request.max_triangles, least_triangles_ + taken) - taken;
     }
     return mesh;
   }
@@ -220,6 +219,7 @@ class ProportionateMesher {
   const SurfaceSpec& spec_;
   const Purpose& purpose_;
   const Surface& surface_;
+  std::size_t least_triangles_;  ///< of the last mesh, whatever the first ones take
   MeshRequest request_;
   // Where the whole surface is, by samples that are spread over it.
   Bounds around_;
@@ -230,11 +230,12 @@ class ProportionateMesher {
 MeshResult mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                          const Surface& surface, unsigned threads) {
   const UniformRequest fallback = uniform_request(scene, spec, purpose, threads);
-  if (!samples_of(scene, spec)) surface.tangents.count->allow(most_points(scene, spec, surface));
+  const auto [triangles, points] = mesh_allowance(scene, spec, surface);
+  if (!samples_of(scene, spec)) surface.tangents.count->allow(points);
   if (!scene.clip.automatic) {
-    return make_mesh(surface, first_request(scene, spec, purpose, surface, threads), fallback);
+    return make_mesh(surface, first_request(scene, spec, purpose, triangles, threads), fallback);
   }
-  auto mesh = ProportionateMesher(scene, spec, purpose, surface, threads).run();
+  auto mesh = ProportionateMesher(scene, spec, purpose, surface, triangles, threads).run();
   return mesh ? std::move(*mesh) : mesh_uniformly(surface, fallback);
 }
 

@@ -286,15 +286,12 @@ std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec) {
   return std::min({triangles_asked(scene, spec), triangles_of_memory(), triangles_of_time()});
 }
 
-std::size_t most_points(const Scene& scene, const SurfaceSpec& spec, const Surface& surface) {
-  const std::size_t places =
-      kPlacesWithChecks * most_effort(most_triangles(scene, spec), least_effort(scene));
-  return static_cast<std::size_t>(static_cast<double>(places) / Effort(surface).place());
-}
-
-std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec, const Surface& surface) {
-  return std::min(most_triangles(scene, spec),
-                  most_points(scene, spec, surface) / kPlacesPerTriangle);
+MeshAllowance mesh_allowance(const Scene& scene, const SurfaceSpec& spec, const Surface& surface) {
+  const std::size_t triangles = most_triangles(scene, spec);
+  const std::size_t places = kPlacesWithChecks * most_effort(triangles, least_effort(scene));
+  const auto points =
+      static_cast<std::size_t>(static_cast<double>(places) / Effort(surface).place());
+  return {std::min(triangles, points / kPlacesPerTriangle), points};
 }
 
 Shortage shortage_of_triangles(const Scene& scene, const SurfaceSpec& spec) {

@@ -57,11 +57,12 @@ double tolerance_share(const Scene& scene, const Purpose& purpose);
 /// Fewer where many surfaces share what a scene may have, or where --max-memory is little.
 std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec);
 
-/// The points at which a surface may be computed for its mesh, with all checks: fewer if its
-/// formula is long.
-std::size_t most_points(const Scene& scene, const SurfaceSpec& spec, const Surface& surface);
-/// Triangles at most, no more than these points are worth.
-std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec, const Surface& surface);
+/// The bounds of the mesh of one surface.
+struct MeshAllowance {
+  std::size_t triangles;  ///< no more than the points are worth
+  std::size_t points;     ///< that are computed, with all checks: fewer if the formula is long
+};
+MeshAllowance mesh_allowance(const Scene& scene, const SurfaceSpec& spec, const Surface& surface);
 
 /// The limit of a run that makes most_triangles() fewer, if one does.
 Shortage shortage_of_triangles(const Scene& scene, const SurfaceSpec& spec);

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <string>
@@ -220,6 +221,20 @@ TEST_F(Faults, TimeThatIsOverStopsRefinement) {
   EXPECT_TRUE(contains(run.err, "the limit of time stopped refinement")) << run.err;
   EXPECT_TRUE(contains(run.err, "--max-time allows more")) << run.err;
   EXPECT_TRUE(exists("a.ply"));
+}
+
+TEST_F(Faults, AFileThatMayNotGrowIsAnError) {
+  for (const char* const name : {"a.png", "a.ply"}) {
+    std::ofstream(path(name)) << "old";
+    const Outcome run = run_saddle({"torus", "-s", "64x64", "-o", name}, folder_, "", [] {
+      const rlimit limit{1000, 1000};
+      setrlimit(RLIMIT_FSIZE, &limit);
+      signal(SIGXFSZ, SIG_DFL);
+    });
+    EXPECT_TRUE(contains(error_of(run, 1), "File too large")) << name;
+    EXPECT_EQ(read_file(path(name)), "old");
+  }
+  EXPECT_EQ(files(), (Words{"a.ply", "a.png"}));
 }
 
 TEST_F(Faults, LinksOfOthersInSharedFoldersAreNotFollowed) {

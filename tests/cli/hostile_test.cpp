@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "base/file.h"
+#include "base/image_png.h"
 #include "base/utf8.h"
 #include "cli/program.h"
 
@@ -78,6 +79,16 @@ TEST_F(Hostile, FilesOnStandardOutputAreAsTheyAre) {
   std::ofstream(path("again.toml")) << scene.out;
   EXPECT_EQ(saddle({"again.toml", "-o", "-", "--format", "toml"}).out, scene.out);
   EXPECT_TRUE(contains(saddle({"check", "s.toml", "--report", "-"}).out, "\\u001b[2J"));
+}
+
+/// A scene may ask for a picture or a film that takes hours.
+TEST_F(Hostile, SizesAndFramesOfTheCommandLineWin) {
+  std::ofstream(path("s.toml")) << "size = [16384, 16384]\n"
+                                << "[animation]\nt = [0, 1]\nframes = 100000\n"
+                                << "[[surface]]\nz = \"u*t\"\n";
+  EXPECT_EQ(saddle({"s.toml", "-s", "16x12", "--frames", "2", "-o", "f%d.png"}).status, 0);
+  EXPECT_EQ(files(), (std::vector<std::string>{"f0.png", "f1.png", "s.toml"}));
+  EXPECT_EQ(read_png(path("f1.png")).image.width, 16);
 }
 
 }  // namespace

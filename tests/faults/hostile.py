@@ -94,9 +94,7 @@ def surfaces(count, z, more=""):
 
 def hard():
     """What takes the mesher, the pictures and the files longest."""
-    # Noise as a figure is the known exception of docs/LIMITS.md.
-    files = [Case(f"{name} as {kind.upper()}", [z, "-o", f"a.{kind}"],
-                  seconds=180 if z == NOISE and kind in ("svg", "pdf") else SECONDS)
+    files = [Case(f"{name} as {kind.upper()}", [z, "-o", f"a.{kind}"])
              for name, z in (("an oscillation", OSCILLATION), ("noise", NOISE), ("steps", STEPS))
              for kind in ("svg", "pdf", "html", "glb", "3mf", "obj")]
     return files + [

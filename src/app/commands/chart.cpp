@@ -121,6 +121,7 @@ std::vector<Measurement> measurements_of(const Scene& scene, const CommandLine& 
     const auto done = static_cast<double>(all.size());
     const auto count = static_cast<double>(surfaces.size());
     const std::string name = surfaces.size() > 1 ? spec.name + ": " : "";
+    const Activity method("");  // its meshes and pictures tell their own shares
     all.push_back(study(subject, [&](double share, const std::string& what) {
       measuring.set_share((done + share) / count);
       measuring.set_detail(name + what);

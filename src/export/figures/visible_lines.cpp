@@ -4,15 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 
 namespace saddle {
 namespace {
 
-/// Side of the squares by which triangles are found, in pixels.
-constexpr double kBin = 8;
+/// Pixels of the rectangles by which triangles are found. They are narrow: the slivers of a surface
+/// that oscillates are upright in most pictures.
+constexpr double kBinWidth = 2;
+constexpr double kBinHeight = 8;
 /// Points of a line that are tested, pixels apart: no gap or piece that is shorter is found.
 constexpr double kStep = 0.5;
 /// From there, halvings to the end of a part: 0.5 / 2^4 is a thirty-second of a pixel.
@@ -29,13 +33,35 @@ double area(const dvec3& a, const dvec3& b, const dvec3& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+/// The least and the largest x of a triangle within a row of rectangles.
+std::pair<double, double> extent_in_row(const std::array<dvec3, 3>& corners, int row) {
+  const double top = row * kBinHeight;
+  const double bottom = top + kBinHeight;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const dvec3& from = corners[k];
+    const dvec3& to = corners[(k + 1) % 3];
+    if (std::max(from.y, to.y) < top || std::min(from.y, to.y) > bottom) continue;
+    const auto add = [&](double end, double x) {
+      const double y = std::clamp(end, top, bottom);
+      const double at = y == end ? x : glm::mix(from.x, to.x, (y - from.y) / (to.y - from.y));
+      low = std::min(low, at);
+      high = std::max(high, at);
+    };
+    add(from.y, from.x);
+    add(to.y, to.x);
+  }
+  return {low, high};
+}
+
 }  // namespace
 
 PictureDepths::PictureDepths(const FittedCamera& camera, const dvec2& size)
     : camera_(camera),
       size_(size),
-      columns_(static_cast<int>(size.x / kBin) + 1),
-      rows_(static_cast<int>(size.y / kBin) + 1),
+      columns_(static_cast<int>(size.x / kBinWidth) + 1),
+      rows_(static_cast<int>(size.y / kBinHeight) + 1),
       bins_(static_cast<std::size_t>(columns_) * rows_) {}
 
 std::optional<dvec3> PictureDepths::screen(const dvec3& point, double nearer) const {
@@ -68,41 +94,51 @@ void PictureDepths::add(const std::array<dvec3, 3>& corners) {
   const double down = ((c.z - a.z) * (b.x - a.x) - (b.z - a.z) * (c.x - a.x)) / whole;
   drawn.push = kPushPixels * std::max(std::abs(across), std::abs(down)) + kPushDepth;
   drawn.nearest = std::min({a.z, b.z, c.z});
-  const auto first = [](double x, double y, double z) {
-    return static_cast<int>(std::floor(std::min({x, y, z}) / kBin));
-  };
-  const auto last = [](double x, double y, double z) {
-    return static_cast<int>(std::floor(std::max({x, y, z}) / kBin));
-  };
   const auto number = static_cast<std::uint32_t>(triangles_.size());
   triangles_.push_back(drawn);
-  for (int y = std::max(0, first(a.y, b.y, c.y)); y <= std::min(rows_ - 1, last(a.y, b.y, c.y));
-       ++y) {
-    for (int x = std::max(0, first(a.x, b.x, c.x));
-         x <= std::min(columns_ - 1, last(a.x, b.x, c.x)); ++x) {
-      Bin& bin = bins_[static_cast<std::size_t>(y) * columns_ + x];
-      bin.triangles.push_back(number);
-      bin.is_sorted = false;
+  // Its number from the first of the picture, or -1, or `count`.
+  const auto bin = [](double place, int count) {
+    return static_cast<int>(std::clamp(std::floor(place), -1.0, static_cast<double>(count)));
+  };
+  const auto row = [&](double pixel) { return bin(pixel / kBinHeight, rows_); };
+  const auto column = [&](double pixel) { return bin(pixel / kBinWidth, columns_); };
+  const int last_row = std::min(rows_ - 1, row(std::max({a.y, b.y, c.y})));
+  for (int y = std::max(0, row(std::min({a.y, b.y, c.y}))); y <= last_row; ++y) {
+    const auto [low, high] = extent_in_row(drawn.at, y);
+    const int last = std::min(columns_ - 1, column(high));
+    for (int x = std::max(0, column(low)); x <= last; ++x) {
+      Bin& meets = bins_[static_cast<std::size_t>(y) * columns_ + x];
+      meets.triangles.push_back(number);
+      meets.is_sorted = false;
     }
   }
 }
 
+bool PictureDepths::hides(const Drawn& drawn, const dvec3& at) {
+  const auto& [a, b, c] = drawn.at;
+  const double whole = area(a, b, c);
+  const double at_b = area(a, at, c) / whole;
+  if (!(at_b >= 0)) return false;
+  const double at_c = area(a, b, at) / whole;
+  return at_c >= 0 && at_b + at_c <= 1 &&
+         a.z + at_b * (b.z - a.z) + at_c * (c.z - a.z) + drawn.push < at.z;
+}
+
 bool PictureDepths::is_hidden(const dvec3& at) {
   if (!(at.x >= 0 && at.y >= 0 && at.x < size_.x && at.y < size_.y)) return true;  // not in it
-  Bin& bin = bins_[static_cast<std::size_t>(at.y / kBin) * columns_ +
-                   static_cast<std::size_t>(at.x / kBin)];
+  Bin& bin = bins_[static_cast<std::size_t>(at.y / kBinHeight) * columns_ +
+                   static_cast<std::size_t>(at.x / kBinWidth)];
   const auto nearest = [this](std::uint32_t number) { return triangles_[number].nearest; };
   if (!bin.is_sorted) std::ranges::sort(bin.triangles, {}, nearest);
   bin.is_sorted = true;
+  // The triangle that hid the last point mostly hides the next one, too.
+  if (last_hiding_ && hides(triangles_[*last_hiding_], at)) return true;
   for (const std::uint32_t number : bin.triangles) {
-    const auto& [corners, push, begin] = triangles_[number];
-    if (begin > at.z) return false;
-    const auto& [a, b, c] = corners;
-    const double whole = area(a, b, c);
-    const double at_b = area(a, at, c) / whole;
-    const double at_c = area(a, b, at) / whole;
-    const bool covers = at_b >= 0 && at_c >= 0 && at_b + at_c <= 1;
-    if (covers && a.z + at_b * (b.z - a.z) + at_c * (c.z - a.z) + push < at.z) return true;
+    if (triangles_[number].nearest > at.z) return false;
+    if (hides(triangles_[number], at)) {
+      last_hiding_ = number;
+      return true;
+    }
   }
   return false;
 }

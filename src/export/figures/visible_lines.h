@@ -28,11 +28,11 @@ class PictureDepths {
 
  private:
   struct Drawn {
-    std::array<dvec3, 3> at;  ///< pixels, and the depth, which is linear on the screen
-    double push = 0;          ///< how much farther it is taken to be
     double nearest = 0;       ///< the least depth of its corners
+    double push = 0;          ///< how much farther it is taken to be
+    std::array<dvec3, 3> at;  ///< pixels, and the depth, which is linear on the screen
   };
-  /// The triangles whose boxes meet a square of pixels. A point is tested against those that begin
+  /// The triangles that meet a rectangle of pixels. A point is tested against those that begin
   /// nearer to the eye, the nearest first: one of a few hides most points, however many there are.
   struct Bin {
     std::vector<std::uint32_t> triangles;
@@ -40,14 +40,15 @@ class PictureDepths {
   };
 
   std::optional<dvec3> screen(const dvec3& point, double nearer) const;
+  static bool hides(const Drawn& drawn, const dvec3& at);
   bool is_hidden(const dvec3& at);
-  std::size_t bin_of(double x, double y) const;
 
   FittedCamera camera_;
   dvec2 size_;
   int columns_, rows_;
   std::vector<Drawn> triangles_;
   std::vector<Bin> bins_;
+  std::optional<std::uint32_t> last_hiding_;
 };
 
 }  // namespace saddle

@@ -52,7 +52,8 @@ double thickness_of(const Mesh& mesh, const Triangle& t) {
 }
 
 const TriangleTree& WholeMeshError::tree() const {
-  std::call_once(has_tree_, [this] { tree_.emplace(grid_.mesh.position, all_); });
+  std::call_once(has_tree_,
+                 [this] { tree_.emplace(grid_.mesh.position, all_, surface_.tangents.count); });
   return *tree_;
 }
 

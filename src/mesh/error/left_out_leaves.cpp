@@ -64,7 +64,7 @@ std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
   if (result.empty()) return result;
   const std::vector<Triangle> triangles = triangles_of_others(mesh);
   if (triangles.empty()) return {};
-  const TriangleTree whole(tree.mesh().position, triangles);
+  const TriangleTree whole(tree.mesh().position, triangles, tree.surface().tangents.count);
   const std::vector<dvec3> points = evaluate_positions(tree.surface(), all_places, threads);
   std::size_t next = 0;
   for (std::size_t i = 0; i < result.size(); ++i) {

@@ -148,7 +148,7 @@ class Finisher {
     // A needle to a pole ends at rounding alone, at no distance that could be measured.
     if (lost.empty() || report.pole_count > 0) return;
     const auto& position = grid_.mesh.position;
-    const TriangleTree mesh(position, triangles.all);
+    const TriangleTree mesh(position, triangles.all, tree_.surface().tangents.count);
     for (const std::uint32_t corner : lost) {
       const dvec3& p = position[corner];
       if (!is_seen(clip, p)) continue;

@@ -14,6 +14,8 @@ namespace {
 
 /// Pairs of nodes that are looked at by one thread each, about.
 constexpr std::size_t kTasks = 1024;
+/// Nodes that are visited for a distance while a point of a short formula is computed.
+constexpr std::size_t kVisitsPerPoint = 4;
 
 double square(const dvec3& a) {
   return glm::dot(a, a);
@@ -50,8 +52,9 @@ double square_distance(const dvec3& p, const Bounds& box) {
 
 }  // namespace
 
-TriangleTree::TriangleTree(std::span<const dvec3> position, std::span<const Triangle> triangles)
-    : position_(position), triangles_(triangles) {
+TriangleTree::TriangleTree(std::span<const dvec3> position, std::span<const Triangle> triangles,
+                           std::shared_ptr<PointCount> count)
+    : position_(position), triangles_(triangles), count_(std::move(count)) {
   std::vector<Item> items;
   items.reserve(triangles.size());
   for (std::uint32_t k = 0; k < triangles.size(); ++k) {
@@ -182,11 +185,13 @@ double TriangleTree::distance(const dvec3& p, double known) const {
   };
   std::array<Visit, 64> stack{};  // halves of halves: as deep as the logarithm of the count
   std::size_t depth = 0;
+  std::size_t visited = 0;
   stack[depth++] = {0, square_distance(p, nodes_[0].box)};
   while (depth > 0) {
     const Visit visit = stack[--depth];
     if (visit.from >= best) continue;
     const Node& node = nodes_[visit.node];
+    ++visited;
     if (node.count > 0) {
       for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
         const Triangle& t = triangles_[order_[k]];
@@ -201,6 +206,7 @@ double TriangleTree::distance(const dvec3& p, double known) const {
     stack[depth++] = far;
     stack[depth++] = near;
   }
+  if (count_) count_->add_work(visited / kVisitsPerPoint);
   return std::min(std::sqrt(best), known);
 }
 

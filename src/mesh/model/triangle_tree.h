@@ -7,10 +7,12 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "eval/point_count.h"
 #include "mesh/model/mesh.h"
 
 namespace saddle {
@@ -19,7 +21,9 @@ class TriangleTree {
  public:
   /// The tree keeps references to its arguments.
   explicit TriangleTree(const Mesh& mesh) : TriangleTree(mesh.position, mesh.triangles) {}
-  TriangleTree(std::span<const dvec3> position, std::span<const Triangle> triangles);
+  /// Distances are counted as work in `count`, if there is one.
+  TriangleTree(std::span<const dvec3> position, std::span<const Triangle> triangles,
+               std::shared_ptr<PointCount> count = nullptr);
 
   /// The distance of the nearest triangle, or `known` if none is nearer.
   double distance(const dvec3& p, double known = std::numeric_limits<double>::infinity()) const;
@@ -50,6 +54,7 @@ class TriangleTree {
 
   std::span<const dvec3> position_;
   std::span<const Triangle> triangles_;
+  std::shared_ptr<PointCount> count_;
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
 };

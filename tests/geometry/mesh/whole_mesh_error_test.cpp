@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
 #include <string>
 
@@ -58,6 +59,19 @@ double true_error(const Wall& wall, const Mesh& mesh) {
       error = std::max(error, tree.distance(dvec3(wall.along(k / 3000.0), z)));
   }
   return error;
+}
+
+/// Distances of a mesh that is nowhere near take as long as points of the surface.
+TEST(TriangleTree, CountsDistancesAsWork) {
+  const Mesh mesh = mesh_of("sin(3*u*v)").mesh;
+  const auto count = std::make_shared<PointCount>();
+  count->allow(1000);
+  const TriangleTree tree(mesh.position, mesh.triangles, count);
+  tree.distance(dvec3(0.3, 0.2, 0.1));
+  EXPECT_FALSE(count->is_used_up()) << "one distance visits a few nodes";
+  for (int k = 0; k < 10'000; ++k) tree.distance(dvec3(1e-4 * k, 0.2, 0.1));
+  EXPECT_TRUE(count->is_used_up());
+  EXPECT_EQ(count->total(), 0U);
 }
 
 TEST_P(UprightWalls, AreToldToBeAsFarOffAsTheyAre) {

@@ -32,6 +32,18 @@ TEST(Activity, WithoutANameOnlyCounts) {
   EXPECT_DOUBLE_EQ(current_activity().share, 0.5);
 }
 
+/// Work that tells its own share does not go back where work within it begins anew.
+TEST(Activity, KeepsTheShareThatItTells) {
+  Activity measuring("measuring");
+  measuring.set_share(0.5);
+  const Activity method("");
+  EXPECT_DOUBLE_EQ(current_activity().share, 0.5);
+  tell_share(0.9);
+  EXPECT_DOUBLE_EQ(current_activity().share, 0.5);
+  measuring.set_share(0.6);
+  EXPECT_DOUBLE_EQ(current_activity().share, 0.6);
+}
+
 TEST(Activity, OfOtherThreadsIsNotTold) {
   const Activity meshing("meshing");
   std::thread([] {

@@ -125,6 +125,30 @@ TEST_F(KilledRun, IsNotSweptWhileItLives) {
   });
 }
 
+TEST_F(KilledRun, LeavesWhatOthersDoNotSweep) {
+  if (geteuid() != 0) GTEST_SKIP() << "only the superuser can give files away";
+  end_in_the_middle(folder / "a", SIGKILL, [] {});
+  const FileNames left = names();
+  ASSERT_EQ(left.size(), 1u);
+  ASSERT_EQ(chown((folder / *left.begin()).c_str(), 12345, 12345), 0);
+  const pid_t next = fork();
+  if (next == 0) {
+    write_file_whole(folder / "b", [](std::ostream& out) { out << "whole"; });
+    _exit(0);
+  }
+  EXPECT_EQ(wait_for_child(next), 0);
+  EXPECT_TRUE(names().contains(*left.begin()));
+}
+
+TEST_F(KilledRun, HidesFromOthersWhatTheyMayNotReadOfTheOldFile) {
+  std::ofstream(folder / "a") << "old";
+  fs::permissions(folder / "a", fs::perms::owner_read | fs::perms::owner_write);
+  end_in_the_middle(folder / "a", SIGTERM, [this] {
+    for (const std::string& name : names())
+      EXPECT_EQ(fs::status(folder / name).permissions() & fs::perms(0077), fs::perms::none) << name;
+  });
+}
+
 TEST_F(KilledRun, GoesOnAfterASignalThatItWasStartedToIgnore) {
   for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
     const fs::path path = folder / std::to_string(signal_number);

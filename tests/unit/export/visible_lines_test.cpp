@@ -69,6 +69,39 @@ TEST(VisibleLines, OutsideOfThePictureAreLeftOut) {
   EXPECT_NEAR(parts[0].back().x, kSide, kPromised);
 }
 
+/// A thin triangle, across many of the squares by which triangles are found, hides along all of its
+/// length and nowhere else, whichever way it leans.
+TEST(VisibleLines, EndBehindASliverWhereverItIs) {
+  for (const double lean : {-0.9, -0.3, 0.0, 0.4, 0.8}) {
+    PictureDepths depths(from_above(true), {kSide, kSide});
+    const double width = 0.05;
+    depths.add({dvec3(-lean, -0.95, 0), dvec3(width - lean, -0.95, 0), dvec3(lean, 0.95, 0)});
+    for (int k = -45; k <= 45; ++k) {
+      const double y = 0.02 * k;
+      const double way = (y + 0.95) / 1.9;
+      const double from = -lean + way * 2 * lean;
+      const double to = from + (1 - way) * width;
+      const auto parts = depths.visible(std::array{dvec3(-0.99, y, -0.5), dvec3(0.99, y, -0.5)}, 0);
+      if (to - from < 0.011) continue;  // as wide as a pixel, which no line is sure to find
+      ASSERT_EQ(parts.size(), 2U) << lean << " " << y;
+      EXPECT_NEAR(parts[0].back().x, pixel(from), kPromised) << lean << " " << y;
+      EXPECT_NEAR(parts[1].front().x, pixel(to), kPromised) << lean << " " << y;
+    }
+  }
+}
+
+/// Lines are tested one after the other: what hid the last point hides no other that it does not
+/// cover, nor one before it.
+TEST(VisibleLines, AreSeenBesideWhatHidTheLastOne) {
+  PictureDepths depths(from_above(true), {kSide, kSide});
+  add_strip(depths, -0.5, 0, 0);
+  add_strip(depths, 0, 0.5, 0);
+  EXPECT_TRUE(depths.visible(std::array{dvec3(-0.4, 0, -0.5), dvec3(0.4, 0, -0.5)}, 0).empty());
+  EXPECT_EQ(depths.visible(std::array{dvec3(-0.4, 0, 0.5), dvec3(0.4, 0, 0.5)}, 0).size(), 1U);
+  EXPECT_TRUE(depths.visible(std::array{dvec3(-0.4, 0, -0.5), dvec3(-0.3, 0, -0.5)}, 0).empty());
+  EXPECT_EQ(depths.visible(std::array{dvec3(0.6, 0, -0.5), dvec3(0.9, 0, -0.5)}, 0).size(), 1U);
+}
+
 TEST(VisibleLines, NearerOnesAreSeenBeforeWhatTheyLieBehind) {
   PictureDepths depths(from_above(false), {kSide, kSide});
   add_strip(depths, -0.5, 0.5, 0);

@@ -62,6 +62,8 @@ TEST(Graph, DividesByPowersOfTwoExactly) {
   EXPECT_EQ(graph[testing::parse(graph, "u/3")].op, Op::Div);
   constexpr double kDenormal = std::numeric_limits<double>::denorm_min();
   EXPECT_EQ(testing::value(graph, half, 3 * kDenormal, 0), 3 * kDenormal / 2);
+  // The reciprocal of 2^-1030 is infinite.
+  EXPECT_EQ(testing::value("u/2^(-1030)", 3 * kDenormal), 3 * kDenormal / 0x1p-1030);
 }
 
 }  // namespace

@@ -142,6 +142,18 @@ TEST(Framing, HasOneBoxForAxesAtAllTimes) {
   EXPECT_NEAR(box.high.y, 1, kSampling);  // it does not move that way: nothing is added
 }
 
+/// The farthest place of a swing is at no moment that is looked at.
+TEST(Framing, HasABoxThatHoldsASwingBetweenItsMoments) {
+  for (const char* const middle : {"0.49", "0.52", "0.731"}) {
+    Scene scene;
+    const std::string swing = std::string("a=10-300*(t-") + middle + ")^2";
+    for (const std::string& text : sphere({"r=1", swing, "t=0.4:0.8"})) assign(scene, text);
+    scene.axes = true;
+    Timeline timeline(scene);
+    EXPECT_GE(frame_scene(timeline, 1).box.value().high.x, 11) << middle;
+  }
+}
+
 TEST(Framing, HasOneRangeOfColoursAtAllTimes) {
   const auto colors_of = [](const char* formula, const char* z) {
     Scene scene;

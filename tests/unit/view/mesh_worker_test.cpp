@@ -140,6 +140,20 @@ TEST(MeshWorker, TellsWhichSurfaceIsWrong) {
   EXPECT_TRUE(result.surfaces.empty());
 }
 
+TEST(MeshWorker, TellsNoErrorOfAPreviewAlone) {
+  Results results;
+  MeshWorker worker(
+      [](const Scene&, std::size_t, Detail detail) -> Tessellation {
+        if (detail == Detail::Preview) throw Error(Status::Nothing, "nothing on so few samples");
+        return {};
+      },
+      [&] { results.announce(); });
+  Scene scene = titled_scene("fine");
+  scene.surfaces.resize(1);
+  worker.request(scene, Manner::PreviewFirst);
+  EXPECT_FALSE(results.wait_for(worker, "fine").error);
+}
+
 TEST(MeshWorker, TellsWhatNoErrorIs) {
   Results results;
   MeshWorker worker(
