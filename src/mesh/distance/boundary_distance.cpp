@@ -39,13 +39,11 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
       return close_jumps_.add(leaf, number, triangles);
     if (!triangles.empty()) return add_chords(leaf, number, triangles, FeatureKind::Jump);
   } else {
-    if (!leaf.state.is_on_boundary()) return;
-    if (is_cut && !(counts_torn_ && strips_.is_torn(leaf))) return;
+    if (leaf.state.cut() != LeafCut::Boundary) return;
     if (strips_.add(leaf, number, triangles, allowed)) {
       if (triangles.empty()) add_bulges(leaf, number);  // the strip may end before the first line
       return;
     }
-    if (is_cut) return;
     if (!triangles.empty()) return add_chords(leaf, number, triangles, FeatureKind::Boundary);
   }
   add_bulges(leaf, number);

@@ -33,8 +33,6 @@ class BoundaryDistance {
         strips_(surface, grid, tree, clip, threads),
         close_jumps_(surface, grid, tree, threads) {}
 
-  /// Counts strips whose ends a crease keeps apart, too. Waves have many of them.
-  void count_torn_strips() { counts_torn_ = true; }
   /// Adds a leaf with its triangles, which must outlive this, and its tolerance. Skips leaves
   /// without a boundary or a jump, and those that lead to a pole.
   void add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
@@ -87,7 +85,6 @@ class BoundaryDistance {
   const CellTree& tree_;
   const std::optional<Bounds>& clip_;
   unsigned threads_;
-  bool counts_torn_ = false;
   StripDistance strips_;
   CloseJumpDistance close_jumps_;
   std::vector<EdgeChord> chords_;  ///< of boundaries

@@ -52,17 +52,6 @@ std::vector<std::uint32_t> StripDistance::thin_ends(const Leaf& leaf, bool& is_g
   return ends;
 }
 
-bool StripDistance::is_torn(const Leaf& leaf) const {
-  bool is_gap = false;
-  const std::vector<std::uint32_t> ends = thin_ends(leaf, is_gap);
-  if (ends.size() != 2 || is_gap) return false;
-  return std::ranges::none_of(sub_polygons(leaf, tree_), [&](const Polygon& polygon) {
-    return std::ranges::all_of(ends, [&](std::uint32_t end) {
-      return std::ranges::count(polygon, end, &PolygonCorner::corner) > 0;
-    });
-  });
-}
-
 bool StripDistance::add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
                         double allowed) {
   bool is_gap = false;

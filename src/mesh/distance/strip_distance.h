@@ -29,8 +29,6 @@ class StripDistance {
                 const std::optional<Bounds>& clip, unsigned threads)
       : surface_(surface), grid_(grid), tree_(tree), clip_(clip), threads_(threads) {}
 
-  /// Whether two thin ends of a strip are in no common part of a leaf's polygon.
-  bool is_torn(const Leaf& leaf) const;
   /// Adds lines across a thin strip or gap in a leaf. False for leaves that have none, or several.
   bool add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
            double allowed);

@@ -254,7 +254,6 @@ class ErrorReporter {
                             std::span<const std::size_t> suspects, const LeafTriangles& triangles,
                             std::span<SearchedLeaf> suspected) const {
     BoundaryDistance strips(surface, grid_, tree_, request.clip, request.threads);
-    strips.count_torn_strips();
     for (std::size_t i = 0; i < suspects.size(); ++i) {
       const std::size_t k = suspects[i];
       if (is_on_strip(mesh_.leaves[k]))
