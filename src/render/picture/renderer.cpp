@@ -109,13 +109,6 @@ std::vector<PlacedMesh> Renderer::items_of(const Scene& scene, const FittedCamer
   return items;
 }
 
-/// A window in which formulas are typed asks for ever new ones: those of old scenes go.
-void Renderer::forget_old_programs() {
-  if (programs_.size() <= kMostPrograms + kProgramsOfSurface * meshes_.size()) return;
-  programs_.clear();
-  surface_programs_.clear();
-}
-
 bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
                     const Look& look) {
   assert(meshes_.size() == scene.surfaces.size());
@@ -214,13 +207,6 @@ Layers& Renderer::layers(const Viewport& viewport) {
   return *layers_;
 }
 
-Program& Renderer::program(const ShaderText& text, const std::string& captured) {
-  const std::string both = text.vertex + text.fragment;
-  const auto known = programs_.find(both);
-  if (known != programs_.end()) return known->second;
-  return programs_.emplace(both, Program(text.vertex, text.fragment, captured)).first->second;
-}
-
 std::vector<std::string> Renderer::warnings() const {
   std::vector<std::string> all;
   for (const Normals& normals : normals_) {
@@ -239,23 +225,6 @@ std::vector<std::string> Renderer::warnings() const {
                   "--max-triangles with fewer triangles allows more layers");
   }
   return all;
-}
-
-/// The program for a surface, which is noted.
-Program& Renderer::surface_program(const ShaderNeeds& needs, const std::string& surface) {
-  const ShaderText text = assemble_surface_shader(needs);
-  const auto is_it = [&](const SurfaceProgram& known) {
-    return known.text.vertex == text.vertex && known.text.fragment == text.fragment;
-  };
-  auto known = std::ranges::find_if(surface_programs_, is_it);
-  if (known == surface_programs_.end()) {
-    surface_programs_.push_back({text, {}, parts_left_out(needs)});
-    known = surface_programs_.end() - 1;
-  }
-  if (std::ranges::find(known->surfaces, surface) == known->surfaces.end()) {
-    known->surfaces.push_back(surface);
-  }
-  return program(text);
 }
 
 bool Renderer::has_lines() const {
