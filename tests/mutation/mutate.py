@@ -321,9 +321,9 @@ def main():
         lines += [f"{m.file}:{m.line}: {m.what}{'' if reached[m.number] else ' (not reached)'}: {m.text}"
                   for m in alive]
         kept[part] = "\n".join(lines)
-    SURVIVORS.write_text("Mutants that no test notices, by ./dev mutate. Some change nothing that "
-                         "anybody could see.\n\n" + "".join(f"## {kept[name]}\n\n" for name in
-                                                           sorted(kept)), encoding="utf-8")
+    head = "Mutants that no test notices, by ./dev mutate. Some change nothing that can be seen."
+    text = "\n\n".join([head, *(f"## {kept[name]}" for name in sorted(kept))])
+    SURVIVORS.write_text(text + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
