@@ -21,7 +21,9 @@ std::size_t hash_of(const Interval& range) {
   constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio
   const auto low = std::bit_cast<std::uint64_t>(range.low);
   const auto high = std::bit_cast<std::uint64_t>(range.high);
-  return ((low * kSpread ^ high) * kSpread) >> 32U;
+  // Halves of halves end in zeros, which a product keeps: first their upper bits go below.
+  const auto folded = [](std::uint64_t bits) { return bits ^ (bits >> 32U); };
+  return ((folded(low) * kSpread ^ folded(high)) * kSpread) >> 32U;
 }
 
 }  // namespace

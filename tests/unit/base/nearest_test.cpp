@@ -21,6 +21,7 @@ TEST(NearestName, FindsAMistypedLetterALeftOutOneAndOneTooMany) {
 TEST(NearestName, CountsASwapOfNeighboursAsOneEdit) {
   // Two substitutions would be past the limit for three letters.
   EXPECT_EQ(nearest_name("sni", Names{"sin"}), "sin");
+  EXPECT_EQ(nearest_name("sni", Names{"sna", "sin"}), "sna") << "and as no less than one";
 }
 
 TEST(NearestName, EditsNoPartOfTheTextTwice) {
@@ -37,6 +38,14 @@ TEST(NearestName, CountsALetterThatWasLeftOutHalf) {
 TEST(NearestName, IgnoresCase) {
   EXPECT_EQ(nearest_name("SIN", Names{"cos", "sin"}), "sin");
   EXPECT_EQ(nearest_name("catmul", Names{"Catmull"}), "Catmull");
+  EXPECT_EQ(nearest_name("AZ", Names{"bz", "ab", "az"}), "az") << "all letters, from A to Z";
+}
+
+TEST(NearestName, CountsWhatIsLeftOutOrTooMuchAtTheStart) {
+  EXPECT_EQ(nearest_name("orus", Names{"xtorus"}), "xtorus");
+  EXPECT_EQ(nearest_name("orus", Names{"xyzorus"}), kNone);
+  EXPECT_EQ(nearest_name("xxtorus", Names{"torus"}), "torus");
+  EXPECT_EQ(nearest_name("xxxxtorus", Names{"torus"}), kNone);
 }
 
 TEST(NearestName, AllowsAThirdOfTheWord) {
@@ -69,6 +78,10 @@ TEST(SimilarNames, ShareAPart) {
   EXPECT_EQ(similar_names("torus-knot", names), (Names{"torus", "horn-torus"}));
   EXPECT_EQ(similar_names("tours", names), Names{"torus"}) << "the nearest alone";
   EXPECT_EQ(similar_names("plane", names), Names{});
+  EXPECT_EQ(similar_names("box-surface", Names{"my-box"}), Names{"my-box"});
+  EXPECT_EQ(similar_names("a-surface", Names{"a-plane"}), Names{}) << "a short part says nothing";
+  const Names five = {"klein-amber", "klein-brown", "klein-coral", "klein-drab", "klein-ebony"};
+  EXPECT_EQ(similar_names("klein", five), Names(five.begin(), five.begin() + 4));
   EXPECT_EQ(did_you_mean(Names{}), "");
   EXPECT_EQ(did_you_mean(Names{"a", "b", "c"}), "did you mean 'a', 'b' or 'c'?");
 }

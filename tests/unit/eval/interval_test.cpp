@@ -57,6 +57,13 @@ TEST(Interval, UnderflowKeepsTheSign) {
   const Interval product = Interval{1e-200, 1e-200} * Interval{-1e-200, -1e-200};
   EXPECT_LT(product.low, 0);
   EXPECT_EQ(product.high, 0);
+  // Ends that are 0 belong to both signs.
+  const Interval positive = {0, 1e-200};
+  const Interval negative = {-1e-200, 0};
+  EXPECT_EQ((negative * negative).low, 0);
+  EXPECT_EQ((positive * positive).low, 0);
+  EXPECT_EQ((positive * negative).high, 0);
+  EXPECT_EQ((negative * positive).high, 0);
   const Interval quotient = Interval{1e-200, 1e-200} / Interval{1e200, 1e200};
   EXPECT_EQ(quotient.low, 0);
   EXPECT_GT(quotient.high, 0);
@@ -191,6 +198,7 @@ TEST(Interval, ComparisonsAreDecidedOrBoth) {
   expect_exact(Interval{2, 3} < Interval{0, 2}, 0, 0);
   expect_exact(Interval{0, 2} < Interval{2, 3}, 0, 1);
   expect_exact(Interval{0, 2} <= Interval{2, 3}, 1, 1);
+  expect_exact(Interval{2, 3} <= Interval{0, 2}, 0, 1);
   expect_exact((Interval{0, 1} == Interval{2, 3}), 0, 0);
   expect_exact((Interval{2, 2} == Interval{2, 2}), 1, 1);
   expect_exact((Interval{1, 2} == Interval{1, 2}), 0, 1);
