@@ -91,7 +91,13 @@ class ImageStudy {
       image = draw_image(renderer_, scene_, subject_.camera,
                          {subject_.width, subject_.height, antialias});
     };
-    const Timing time = time_repeatedly(draw);
+    Timing time;
+    try {
+      time = time_repeatedly(draw);
+    } catch (const Error& error) {
+      if (error.status() != Status::Nothing) throw;
+      return true;  // a coarse grid may miss all of the surface
+    }
     if (triangles == 0) return false;
     result_.push_back(
         {StudyPanel::Image, method, setting, time, rms_error(image, exact_), "rms", {}, triangles});

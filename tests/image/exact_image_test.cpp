@@ -131,10 +131,11 @@ TEST(ImageStudy, DrawsWhatACoarseGridMisses) {
   std::set<std::string> methods;
   for (const Measurement& m : measure_images(subject, kSilent)) {
     methods.insert(m.method);
-    EXPECT_LT(m.error, 0.1) << m.method << " " << m.setting;
+    // Grids miss most of the rim.
+    if (m.method != "uniform grid") EXPECT_LT(m.error, 0.1) << m.method << " " << m.setting;
   }
-  EXPECT_EQ(methods,
-            (std::set<std::string>{"exact normal", "per pixel", "per vertex", "supersampling"}));
+  EXPECT_EQ(methods, (std::set<std::string>{"exact normal", "per pixel", "per vertex",
+                                            "supersampling", "uniform grid"}));
 }
 
 TEST(ExactImage, IsWhatFinerPicturesComeNearerTo) {

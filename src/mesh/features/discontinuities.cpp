@@ -23,6 +23,10 @@ namespace {
 /// Halvings of a line for a proof that it is continuous, before it is searched.
 constexpr int kProofHalvings = 3;
 
+/// A search keeps thousands of points for a line with many jumps: those of as many lines as this
+/// take less than 100 MB.
+constexpr std::size_t kLinesAtATime = 256;
+
 /// Jumps of lines, in their order: they have no place in common.
 using JumpsOfLines = std::vector<std::vector<Line>>;
 
@@ -139,22 +143,23 @@ Line hull(const Line& a, const Line& b, const Line& line) {
   return {before(b[0], a[0]) ? b[0] : a[0], before(a[1], b[1]) ? b[1] : a[1]};
 }
 
-/// The middle between two parts of a line that have no place in common.
-dvec2 middle_between(const Line& a, const Line& b, const Line& line) {
+/// The line between two parts of a line that have no place in common.
+Line between(const Line& a, const Line& b, const Line& line) {
   const bool is_first = glm::distance(line[0], a[0]) < glm::distance(line[0], b[0]);
-  return is_first ? 0.5 * (a[1] + b[0]) : 0.5 * (b[1] + a[0]);
+  return is_first ? Line{a[1], b[0]} : Line{b[1], a[0]};
 }
 
 /// Adds a discontinuity in an unproved part to the known one of its line.
 void add(const LocatedDiscontinuity& more, const Line& line, LocatedDiscontinuity& known) {
   if (more.kind == Discontinuity::None) return;
-  const double apart = glm::distance(known.ends[0], more.ends[0]);
+  const Line gap = between(known.ends, more.ends, line);
   if (known.kind == Discontinuity::None) {
     known = more;
-  } else if (apart > kSame * glm::distance(line[0], line[1])) {
-    known.between = middle_between(known.ends, more.ends, line);
+  } else if (length_of(gap) > kSame * length_of(line)) {
+    known.between = middle_of(gap);
   } else if (more.kind == Discontinuity::Pole) {
     known.kind = Discontinuity::Pole;
+    if (length_of(more.ends) < length_of(known.ends)) known.ends = more.ends;
   } else {
     known.ends = hull(known.ends, more.ends, line);
   }
@@ -226,6 +231,7 @@ class LineSearch {
     const auto next = std::ranges::find_if(jumps, [&](const Line& at) {
       return glm::distance(line[0], at[0]) > glm::distance(line[0], jump[0]);
     });
+    if (jumps.size() == kMostLineParts) return;  // there are waves
     ways.push_back(
         {number, {jump[0], next == jumps.begin() ? line[0] : (*std::prev(next))[1]}, false});
     ways.push_back({number, {jump[1], next == jumps.end() ? line[1] : (*next)[0]}, true});
@@ -297,9 +303,12 @@ std::vector<LocatedDiscontinuity> find_discontinuities(const Surface& surface,
     open_lines.push_back(lines[part.line]);
   }
   std::vector<LocatedDiscontinuity> result(lines.size());
-  const std::vector<LocatedDiscontinuity> found =
-      LineSearch(surface, open_lines, delta, threads, work).run();
-  for (std::size_t i = 0; i < open.size(); ++i) result[open[i]] = found[i];
+  for (std::size_t i = 0; i < open.size(); i += kLinesAtATime) {
+    const auto some =
+        std::span(open_lines).subspan(i, std::min(kLinesAtATime, open_lines.size() - i));
+    auto found = LineSearch(surface, some, delta, threads, work).run();
+    for (std::size_t k = 0; k < found.size(); ++k) result[open[i + k]] = std::move(found[k]);
+  }
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <semaphore>
 
@@ -49,6 +50,18 @@ TEST(Exports, HaveTheSizeThatIsTyped) {
   EXPECT_EQ(sized->size->v, 48);
 }
 
+/// Writing to a program that has ended is an error, no signal, as main has it.
+class IgnoredSigpipe {
+ public:
+  IgnoredSigpipe() = default;
+  IgnoredSigpipe(const IgnoredSigpipe&) = delete;
+  IgnoredSigpipe& operator=(const IgnoredSigpipe&) = delete;
+  ~IgnoredSigpipe() { std::signal(SIGPIPE, before_); }
+
+ private:
+  void (*before_)(int) = std::signal(SIGPIPE, SIG_IGN);
+};
+
 class Exporters : public ::testing::Test {
  protected:
   /// Its news once it is done.
@@ -63,6 +76,7 @@ class Exporters : public ::testing::Test {
   }
   std::filesystem::path path(const std::string& name) const { return temporary_.path() / name; }
 
+  IgnoredSigpipe ignored_;  // for longer than the exporter is there
   Exporter exporter_{program_path(), 1, [this] { done_.release(); }};
 
  private:
