@@ -83,8 +83,9 @@ std::optional<std::string> print_glsl(const Graph& graph, std::span<const NodeId
   if (first_without_glsl(lowered, needed)) return std::nullopt;
   std::string code;
   for (NodeId id = 0; id < needed.size(); ++id) {
+    if (!needed[id]) continue;
     const Node& node = lowered[id];
-    if (!needed[id] || arity(node.op) == 0) continue;
+    if (arity(node.op) == 0) continue;
     std::array<std::string, 3> arguments;
     for (int i = 0; i < arity(node.op); ++i) {
       arguments[i] = operand(lowered, node.args[i], constants);

@@ -51,8 +51,9 @@ JsCode print_js(const Graph& graph, std::span<const NodeId> outputs,
   const std::vector<bool> needed = reachable(lowered, roots);
   JsCode code;
   for (NodeId id = 0; id < needed.size(); ++id) {
+    if (!needed[id]) continue;
     const Node& node = lowered[id];
-    if (!needed[id] || arity(node.op) == 0) continue;
+    if (arity(node.op) == 0) continue;
     std::array<std::string, 3> arguments;
     for (int i = 0; i < arity(node.op); ++i) arguments[i] = js_operand(lowered, node.args[i], name);
     const bool is_each = (node.depends & (kDependsU | kDependsV)) != 0;

@@ -49,5 +49,11 @@ TEST(Js, WritesNumbersThatReadBackTheSame) {
   }
 }
 
+TEST(Js, IsEmptyWithoutOutputs) {
+  const JsCode code = print_js(Graph{}, {}, [](Symbol) { return std::string(); });
+  EXPECT_TRUE(code.outputs.empty());
+  EXPECT_EQ(code.once + code.each, "");
+}
+
 }  // namespace
 }  // namespace saddle
