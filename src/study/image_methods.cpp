@@ -4,7 +4,6 @@
 #include <string>
 #include <utility>
 
-#include "base/error.h"
 #include "base/format.h"
 #include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
@@ -62,11 +61,12 @@ class ImageStudy {
         if (!add(method, setting, within(pixels), subject_.antialias)) break;
       }
     }
+    const std::size_t first = result_.size();
     for (const GridSize& grid : grids_) {
       const auto mesh = [&] { return std::optional(uniform_mesh(subject_, grid)); };
       if (!add("uniform grid", setting_of(grid), mesh, subject_.antialias)) break;
-      result_.back().is_asked = is_asked(subject_, grid);
     }
+    mark_asked(subject_, std::span(result_).subspan(first));
     for (const int n : kSamples) {
       const std::string setting = std::to_string(n) + "x" + std::to_string(n);
       if (!add("supersampling", setting, within(kUsual), n)) break;
@@ -91,17 +91,18 @@ class ImageStudy {
       image = draw_image(renderer_, scene_, subject_.camera,
                          {subject_.width, subject_.height, antialias});
     };
-    Timing time;
-    try {
-      time = time_repeatedly(draw);
-    } catch (const Error& error) {
-      if (error.status() != Status::Nothing) throw;
-      return true;  // a coarse grid may miss all of the surface
-    }
+    const std::optional<Timing> time = time_unless_nothing(draw);
+    if (!time) return true;
     if (triangles == 0) return false;
-    result_.push_back(
-        {StudyPanel::Image, method, setting, time, rms_error(image, exact_), "rms", {}, triangles});
-    return time.median < kImagePatience;
+    result_.push_back({StudyPanel::Image,
+                       method,
+                       setting,
+                       *time,
+                       rms_error(image, exact_),
+                       "rms",
+                       {},
+                       triangles});
+    return time->median < kImagePatience;
   }
 
   void compile_shaders() {

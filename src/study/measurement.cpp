@@ -4,6 +4,8 @@
 #include <array>
 #include <chrono>
 
+#include "base/error.h"
+
 namespace saddle {
 namespace {
 
@@ -43,6 +45,15 @@ Timing time_repeatedly(const std::function<void()>& work) {
   std::ranges::sort(times);
   const std::size_t last = times.size() - 1;
   return {times[last / 2], times[last / 4], times[last - last / 4]};
+}
+
+std::optional<Timing> time_unless_nothing(const std::function<void()>& work) {
+  try {
+    return time_repeatedly(work);
+  } catch (const Error& error) {
+    if (error.status() != Status::Nothing) throw;
+    return std::nullopt;
+  }
 }
 
 const char* panel_name(StudyPanel panel) {

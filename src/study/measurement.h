@@ -36,6 +36,8 @@ class PanelProgress {
 /// Does the work until the median is worth something, once at least, and a few seconds at most
 /// unless a single time takes longer.
 Timing time_repeatedly(const std::function<void()>& work);
+/// The same; none if the work throws Error (Nothing): a coarse grid may miss all of the surface.
+std::optional<Timing> time_unless_nothing(const std::function<void()>& work);
 
 enum class StudyPanel { Evaluation, Normals, Mesh, Image };
 const char* panel_name(StudyPanel panel);

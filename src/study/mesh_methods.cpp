@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "base/error.h"
 #include "base/format.h"
 #include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
@@ -34,8 +33,8 @@ class MeshStudy {
     for (const GridSize& grid : grids_) {
       const auto make = [&] { return std::optional(uniform_mesh(subject_, grid)); };
       if (!add("uniform", setting_of(grid), {}, make)) break;
-      if (!result_.empty()) result_.back().is_asked = is_asked(subject_, grid);
     }
+    mark_asked(subject_, result_);
     add_over_tolerances("adaptive", [&](const MeshRequest& options) {
       MeshRequest quick = options;
       quick.certify = false;
@@ -64,19 +63,14 @@ class MeshStudy {
   bool add(const char* method, const std::string& setting, std::optional<double> promise, F make) {
     progress_.next(method, setting);
     std::optional<MeshResult> mesh;
-    Timing time;
-    try {
-      time = time_repeatedly([&] { mesh = make(); });
-    } catch (const Error& error) {
-      if (error.status() != Status::Nothing) throw;
-      return true;  // a coarse grid may miss all of the surface
-    }
+    const std::optional<Timing> time = time_unless_nothing([&] { mesh = make(); });
+    if (!time) return true;
     if (!mesh) return false;
     least_ = std::max(least_, promise ? mesh->report.least_triangles * *promise : 0);
     const double error = distance_(mesh->mesh) / subject_.pixel;
-    result_.push_back({StudyPanel::Mesh, method, setting, time, error, "px", promise,
+    result_.push_back({StudyPanel::Mesh, method, setting, *time, error, "px", promise,
                        mesh->mesh.triangles.size()});
-    return time.median < kMeshPatience;
+    return time->median < kMeshPatience;
   }
 
   MeshRequest within(double pixels) const {

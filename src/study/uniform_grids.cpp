@@ -11,19 +11,22 @@ namespace saddle {
 std::vector<GridSize> uniform_grids(const Subject& subject, std::span<const int> squares) {
   std::vector<GridSize> grids;
   for (const int n : squares) grids.push_back({n, n});
-  std::erase_if(grids, [&](const GridSize& grid) { return is_asked(subject, grid); });
-  if (subject.samples) grids.push_back(*subject.samples);
+  if (const auto& asked = subject.samples) {
+    std::erase_if(grids, [&](const GridSize& g) { return g.u == asked->u && g.v == asked->v; });
+    grids.push_back(*asked);
+  }
   const auto cells = [](const GridSize& grid) { return static_cast<double>(grid.u) * grid.v; };
   std::ranges::stable_sort(grids, {}, cells);
   return grids;
 }
 
-bool is_asked(const Subject& subject, const GridSize& grid) {
-  return subject.samples && subject.samples->u == grid.u && subject.samples->v == grid.v;
-}
-
 std::string setting_of(const GridSize& grid) {
   return std::to_string(grid.u) + "x" + std::to_string(grid.v);
+}
+
+void mark_asked(const Subject& subject, std::span<Measurement> measurements) {
+  if (!subject.samples) return;
+  for (Measurement& m : measurements) m.is_asked = m.setting == setting_of(*subject.samples);
 }
 
 MeshResult uniform_mesh(const Subject& subject, const GridSize& grid) {

@@ -25,13 +25,17 @@ double area_of(const ParameterBox& box) {
   return box.size().x * box.size().y;
 }
 
+bool is_defined_at(const Surface& surface, const dvec2& place) {
+  const dvec2 uv = surface.domain.at(place);
+  return is_finite(evaluate_positions(surface, std::span(&uv, 1), 1)[0]);
+}
+
 /// How far from a place its part of the domain is undefined along an axis. Steps of `first`, then
 /// of twice as much each, lead out of the part, and halvings back to its end.
 double undefined_until(const Surface& surface, dvec2 place, int axis, double first) {
   const auto is_undefined_at = [&](double at) {
     place[axis] = at;
-    const dvec2 uv = surface.domain.at(place);
-    return !is_finite(evaluate_positions(surface, std::span(&uv, 1), 1)[0]);
+    return !is_defined_at(surface, place);
   };
   double inside = place[axis];
   double outside = inside;
@@ -57,8 +61,7 @@ dvec2 middle_of_undefined(const Surface& surface, const ParameterBox& box) {
     dvec2 middle = place;
     middle[axis] = 0.5 * (undefined_until(surface, place, axis, -size) +
                           undefined_until(surface, place, axis, size));
-    const dvec2 uv = surface.domain.at(middle);
-    if (is_finite(evaluate_positions(surface, std::span(&uv, 1), 1)[0])) break;
+    if (is_defined_at(surface, middle)) break;
     place = middle;
   }
   return surface.domain.at(place);

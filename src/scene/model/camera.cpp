@@ -49,7 +49,7 @@ double largest_part(const dvec3& v) {
 }
 
 bool is_direction(const dvec3& v) {
-  return std::isfinite(v.x + v.y + v.z) && largest_part(v) > 0;
+  return is_finite(v) && largest_part(v) > 0;
 }
 
 /// Unit vector along `v` of any magnitude.
