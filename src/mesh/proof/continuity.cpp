@@ -20,8 +20,7 @@ namespace {
 /// stand for all.
 constexpr int kLeastHalvings = 6;
 /// Where nothing is proved of a line after 2 halvings, bounds are tried on 3 boxes as short as
-/// parts after 6. If they prove nothing there, they are too wide for the whole line. A search down
-/// to the last doubles goes on: beside a pole the surface is as steep on any scale.
+/// parts after 6. If they prove nothing there, they are too wide for the whole line.
 constexpr int kHalvingsToGlance = 2;
 constexpr std::array kGlances = {0.21, 0.53, 0.83};
 constexpr double kGlanceLength = 1.0 / (1 << kLeastHalvings);
@@ -100,7 +99,7 @@ class Prover {
       std::erase_if(level, [this](const LinePart& part) {
         return is_proved({part.part[0], part.part[1]});
       });
-      const bool is_in_vain = depth == kHalvingsToGlance && halvings_ < kAllHalvings &&
+      const bool is_in_vain = depth == kHalvingsToGlance &&
                               level.size() == 1 << kHalvingsToGlance && !is_provable(line.part);
       if (level.size() > kMostLineParts && depth >= kLeastHalvings) break;
       std::vector<LinePart> next;
