@@ -122,8 +122,10 @@ double predicted_distance(std::array<Height, 3> heights) {
   const double at_first = a.distance + (a.distance - b.distance) * a.share / (b.share - a.share);
   const double at_last =
       c.distance + (c.distance - b.distance) * (1 - c.share) / (c.share - b.share);
-  return std::max({at_first, at_last, top_of_parabola({0, 0}, a, b), top_of_parabola(a, b, c),
-                   top_of_parabola(b, c, {1, 0})});
+  // A place next to an end says nothing of the slope there.
+  const double before = a.share > apart ? top_of_parabola({0, 0}, a, b) : 0;
+  const double after = 1 - c.share > apart ? top_of_parabola(b, c, {1, 0}) : 0;
+  return std::max({at_first, at_last, before, top_of_parabola(a, b, c), after});
 }
 
 }  // namespace saddle

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/distance/sampled_error.h"
 #include "mesh/grid/grid.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/proof/continuity.h"
