@@ -109,7 +109,8 @@ class Subdivider {
         oscillation_.add(leaf, estimated.error.distance, tree_);
       }
       const bool needs_search =
-          estimated.error.is_folded || estimated.error.may_jump || is_search_due(leaf);
+          shows_feature(estimated) || (!landmarks_in(estimated.candidate).empty() &&
+                                       missed_counterexample(estimated) != nullptr);
       (needs_search ? to_search : smooth).push_back(std::move(estimated));
     }
     std::erase_if(to_search, [&](const Estimated& estimated) {
@@ -274,6 +275,12 @@ class Subdivider {
     return {limits_.tolerance, false, limits_.threads, limits_.clip, goal_.triangles};
   }
 
+  /// Whether the samples of a leaf show a feature, or errors that do not fall may hide one.
+  static bool shows_feature(const Estimated& estimated) {
+    return estimated.error.is_folded || estimated.error.may_jump ||
+           is_search_due(estimated.candidate.leaf);
+  }
+
   /// Searches the sides of leaves and halves those with features. Searches for creases, too, in
   /// folded leaves and where a search is due; in others, for jumps only.
   void search_features(std::span<Estimated> to_search) {
@@ -294,20 +301,24 @@ class Subdivider {
       if (features.leads_to_pole) to_search[k].error.distance = to_search[k].error.gap;
       features_of[k] = features;
       const bool is_creased = to_search[k].error.is_folded && features.is_through();
-      leaf.state.set_features(features.features > 0 || is_creased, features.leads_to_pole);
+      // A leaf whose samples show nothing may hold a strip that goes through. Any other part of a
+      // feature is too small beside the leaf.
+      const bool counts = shows_feature(to_search[k]) || features.is_through();
+      leaf.state.set_features(counts && (features.features > 0 || is_creased),
+                              features.leads_to_pole);
     }
     for (std::size_t k = 0; k < to_search.size(); ++k) {
       Leaf& leaf = to_search[k].candidate.leaf;
       const bool is_clear = features_of[k].is_through();
       const bool is_cut = leaf.state.is_cut_by_feature();
       const bool may_end = is_cut && !is_clear && halvings_of_root(leaf) >= kBoundaryHalvings;
-      if (may_end && indicator_.is_too_small_to_see(leaf)) {
+      const bool is_missed = is_cut && misses_landmark(to_search[k].candidate);
+      if (may_end && !is_missed && indicator_.is_too_small_to_see(leaf)) {
         leaf.state.freeze();
         result_.leaves.push_back(leaf);
       } else if (is_cut) {
         halve_toward_feature(to_search[k], leaf, features_of[k].is_parted_along_u(leaf),
-                             halvings(leaf) < wanted_halvings(features_of[k]) ||
-                                 misses_landmark(to_search[k].candidate));
+                             halvings(leaf) < wanted_halvings(features_of[k]) || is_missed);
       } else {
         keep_or_halve(to_search[k]);
       }
