@@ -12,6 +12,7 @@ BEHAVIOURS = {
     "geometry/mesh/grid_mesh_report",
     "geometry/mesh/jump_curves",
     "geometry/mesh/jump_lines",
+    "geometry/mesh/parallel_jumps",
     "geometry/mesh/poles",
     "geometry/mesh/rims",
     "geometry/mesh/scales",

@@ -35,8 +35,7 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
     if (leaf.state.leads_to_pole() || has_cut(FeatureKind::Pole, leaf, tree_)) return;
     delta_ = std::min(delta_, allowed);
     add_flat_sheets(leaf, number, allowed);
-    if (!triangles.empty() && count_features(leaf, tree_).strips > 0)
-      return close_jumps_.add(leaf, number, triangles);
+    if (!triangles.empty() && close_jumps_.add(leaf, number, triangles)) return;
     if (!triangles.empty()) return add_chords(leaf, number, triangles, FeatureKind::Jump);
   } else {
     if (leaf.state.cut() != LeafCut::Boundary) return;

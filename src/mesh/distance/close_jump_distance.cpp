@@ -13,61 +13,47 @@
 #include "mesh/model/sample_places.h"
 #include "mesh/model/segment.h"
 #include "mesh/tree/cell_polygon.h"
-#include "mesh/tree/feature_count.h"
+#include "mesh/tree/jump_lines.h"
 
 namespace saddle {
 
-namespace {
-
-/// A side of a leaf that strips cross, on the way around the leaf.
-struct Crossing {
-  EdgeFeature feature;
-  std::uint32_t from, to;
-};
-
-}  // namespace
-
-/// The segments between the two sides that strips cross. The sheets before the middles of the
+/// The segments between the two sides that lines cross. The sheets before the middles of the
 /// crossings are to the left of the way from one to the other.
-CloseJumpDistance::Sheets CloseJumpDistance::sheets_of(const Leaf& leaf) const {
-  std::vector<Crossing> crossings;
-  for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) {
-    if (const auto feature = tree_.edges().feature(a, b)) crossings.push_back({*feature, a, b});
-  });
+CloseJumpDistance::Sheets CloseJumpDistance::sheets_of(const Leaf& leaf,
+                                                       const JumpLines& lines) const {
   const dvec2 low(leaf.low.u, leaf.low.v);
   const dvec2 size(leaf.size_u(), leaf.size_v());
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {
     const dvec2 ends = tree_.vertices().place_between(a) + tree_.vertices().place_between(b);
     return (0.5 * ends - low) / size;
   };
+  const auto here = [&](std::size_t k) { return lines.crossings()[k]; };
+  const auto there = [&](std::size_t k) { return lines.crossings()[lines.partner(k)]; };
+  const std::size_t last = lines.count() - 1;
   Sheets sheets;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const EdgeFeature& feature = crossings[k].feature;
-    sheets.middles[k] = middle(feature.beside_first, feature.beside_second);
-  }
+  sheets.middles = {middle(here(0).before, here(last).after),
+                    middle(there(last).before, there(0).after)};
   const auto& position = grid_.mesh.position;
-  const Crossing& first = crossings[0];
-  const Crossing& second = crossings[1];
-  sheets.segments.push_back(
-      {position[first.feature.beside(first.from)], position[second.feature.beside(second.to)]});
-  for (std::size_t k = 0; k < first.feature.strips; ++k) {
-    const auto [a, b] = first.feature.on_strip(k, first.from);
-    const auto [c, d] = second.feature.on_strip(k, second.to);
+  sheets.segments.push_back({position[here(0).before], position[there(0).after]});
+  for (std::size_t k = 0; k < last; ++k) {
+    const Side a = {here(k).after, here(k + 1).before};
+    const Side b = {there(k).before, there(k + 1).after};
     sheets.segments.push_back(
-        {0.5 * (position[a] + position[b]), 0.5 * (position[c] + position[d])});
-    sheets.in_strips.push_back({middle(a, b), middle(c, d)});
+        {0.5 * (position[a[0]] + position[a[1]]), 0.5 * (position[b[0]] + position[b[1]])});
+    sheets.in_strips.push_back({middle(a[0], a[1]), middle(b[0], b[1])});
   }
-  sheets.segments.push_back(
-      {position[first.feature.beside(first.to)], position[second.feature.beside(second.from)]});
+  sheets.segments.push_back({position[here(last).after], position[there(last).before]});
   return sheets;
 }
 
-void CloseJumpDistance::add(const Leaf& leaf, std::size_t number,
+bool CloseJumpDistance::add(const Leaf& leaf, std::size_t number,
                             std::span<const Triangle> triangles) {
-  const Sheets sheets = sheets_of(leaf);
+  const JumpLines lines(leaf, tree_);
+  if (lines.count() == 0 || !lines.have_strips() || !lines.cross_two_sides()) return false;
+  const Sheets sheets = sheets_of(leaf, lines);
   const auto& middles = sheets.middles;
   const dvec2 left(middles[0].y - middles[1].y, middles[1].x - middles[0].x);
-  if (left == dvec2(0)) return;
+  if (left == dvec2(0)) return true;
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 high = tree_.vertices().parameters(leaf.high);
   for (const double share : kAlongLine) {
@@ -86,6 +72,7 @@ void CloseJumpDistance::add(const Leaf& leaf, std::size_t number,
                        sheets.segments,
                        std::move(in_strips)});
   }
+  return true;
 }
 
 /// The jumps of lines that have one between each two strips where the mesh has them; none for other

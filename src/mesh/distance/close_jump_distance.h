@@ -15,6 +15,7 @@
 namespace saddle {
 
 class CellTree;
+class JumpLines;
 
 class CloseJumpDistance {
  public:
@@ -22,9 +23,9 @@ class CloseJumpDistance {
                     unsigned threads)
       : surface_(surface), grid_(grid), tree_(tree), threads_(threads) {}
 
-  /// Adds lines across the strips that go through a leaf, of which FeatureCount::strips tells. Its
-  /// triangles must outlive this.
-  void add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles);
+  /// Adds lines across the strips that go through a leaf. Its triangles must outlive this. False
+  /// where strips do not all go from one side to another.
+  bool add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles);
   /// Distances at the leaves that were added; several for some. A gap of less than `delta` is no
   /// jump.
   std::vector<LeafDistance> measure(double delta);
@@ -52,7 +53,7 @@ class CloseJumpDistance {
     std::array<dvec2, 2> middles;                 ///< of the crossings, in sides of the leaf
     std::vector<std::array<dvec2, 2>> in_strips;  ///< of the strips there
   };
-  Sheets sheets_of(const Leaf& leaf) const;
+  Sheets sheets_of(const Leaf& leaf, const JumpLines& lines) const;
 
   const Surface& surface_;
   const Grid& grid_;

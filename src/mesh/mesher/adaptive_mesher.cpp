@@ -254,7 +254,7 @@ void AdaptiveMesher::place_inner_vertices(std::size_t first) {
     if (request_.clip && crosses_box(leaf)) continue;
     const FeatureCount features = count_features(leaf, tree_);
     const bool is_strip = features.features > 2 && has_thin_strip(leaf, tree_);
-    const bool is_solvable = !features.has_more && features.strips == 0 && !features.has_cliffs &&
+    const bool is_solvable = !features.has_more && features.lines == 0 && !features.has_cliffs &&
                              !is_strip && !has_cut(FeatureKind::Pole, leaf, tree_) &&
                              !has_cut(FeatureKind::Face, leaf, tree_) &&
                              !has_cut(FeatureKind::Essential, leaf, tree_) &&

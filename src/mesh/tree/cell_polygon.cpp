@@ -5,6 +5,7 @@
 
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/feature_count.h"
+#include "mesh/tree/jump_lines.h"
 
 namespace saddle {
 
@@ -58,6 +59,28 @@ class Cutter {
     for (std::size_t k = 0; k < whole.size(); ++k) go_on(k);
   }
 
+  /// The sheets between lines of jumps that go through the leaf side by side.
+  std::vector<Polygon> take(const JumpLines& lines) const {
+    const std::vector<JumpCrossing>& crossings = lines.crossings();
+    std::vector<Polygon> result;
+    std::vector<bool> is_done(crossings.size(), false);
+    for (std::size_t first = 0; first < crossings.size(); ++first) {
+      Polygon sheet;
+      // Around the leaf to the next jump, and along that to its other end.
+      for (std::size_t k = first; !is_done[k]; k = lines.partner((k + 1) % crossings.size())) {
+        is_done[k] = true;
+        const JumpCrossing& next = crossings[(k + 1) % crossings.size()];
+        sheet.push_back(corner(crossings[k].after));
+        const std::size_t end = next.corner + (k + 1 < crossings.size() ? 0 : whole_.size());
+        for (std::size_t i = crossings[k].corner + 1; i <= end; ++i)
+          sheet.push_back(whole_[i % whole_.size()]);
+        sheet.push_back(corner(next.before));
+      }
+      if (!sheet.empty()) add(std::move(sheet), result);
+    }
+    return result;
+  }
+
   /// `folded`: a crease goes through the leaf, between features or singular points. `has_middle`:
   /// the surface is defined in the leaf's middle. `has_opposite_gaps`: of the leaf.
   std::vector<Polygon> take(bool folded, bool has_middle, bool has_opposite_gaps) {
@@ -70,9 +93,6 @@ class Cutter {
     if (folded && cuts_ < 2) cut_at_singular_points();
     std::vector<Polygon> result;
     if (creases_.size() >= 3) add(middle(), result);
-    if (jump_sides_ == 2 && cuts_ == 2 && has_like_strips_) {
-      for (Polygon& strip : strips_) add(std::move(strip), result);
-    }
     for (Run& run : runs_) {
       if (!run.goes_far) add(std::move(run.polygon), result);
     }
@@ -99,19 +119,6 @@ class Cutter {
     return {vertex, tree_.vertices().place_between(vertex)};
   }
   void append(std::uint32_t vertex) { runs_.back().polygon.push_back(corner(vertex)); }
-
-  /// Appends what jumps on the way from a vertex cross between them. On its second crossing a
-  /// boundary meets the strips of the first in the reverse order.
-  void cross_strips(const EdgeFeature& jumps, std::uint32_t from) {
-    const bool is_first = jump_sides_++ == 0;
-    if (is_first) strips_.resize(jumps.strips);
-    has_like_strips_ = has_like_strips_ && strips_.size() == jumps.strips;
-    if (!has_like_strips_) return;
-    for (std::size_t k = 0; k < jumps.strips; ++k) {
-      Polygon& strip = strips_[is_first ? k : jumps.strips - 1 - k];
-      for (const std::uint32_t vertex : jumps.on_strip(k, from)) strip.push_back(corner(vertex));
-    }
-  }
 
   void cut() {
     ++cuts_;
@@ -145,7 +152,6 @@ class Cutter {
     if (feature->kind == FeatureKind::Cliff) {
       for (const std::uint32_t vertex : feature->on_strip(0, a)) creases_.push_back(corner(vertex));
     }
-    if (feature->kind == FeatureKind::Jump) cross_strips(*feature, a);
     cut();
     if (tree_.geometry().is_defined(b)) {
       runs_.back().goes_far = far;
@@ -252,10 +258,7 @@ class Cutter {
   const Polygon& whole_;
   const CellTree& tree_;
   std::vector<Run> runs_{1};
-  Polygon creases_;              // places where creases and both ends of cliffs cross sides
-  std::vector<Polygon> strips_;  // between jumps
-  std::size_t jump_sides_ = 0;
-  bool has_like_strips_ = true;  // all of these sides have as many
+  Polygon creases_;  // places where creases and both ends of cliffs cross sides
   std::size_t cuts_ = 0;
   std::size_t boundaries_ = 0;  // among the cuts
   std::size_t lines_ = 0;       // vertices on undefined lines
@@ -273,9 +276,12 @@ std::vector<Polygon> sub_polygons(const Leaf& leaf, const CellTree& tree) {
     result.push_back(std::move(whole));
     return result;
   }
-  return Cutter(leaf, whole, tree)
-      .take(leaf.state.is_cut_by_feature(), tree.geometry().is_defined(leaf.samples.centre),
-            has_opposite_gaps(leaf, tree));
+  Cutter cutter(leaf, whole, tree);
+  const JumpLines lines(leaf, tree);
+  if (lines.count() > 0) return cutter.take(lines);
+  return cutter.take(leaf.state.is_cut_by_feature(),
+                     tree.geometry().is_defined(leaf.samples.centre),
+                     has_opposite_gaps(leaf, tree));
 }
 
 std::uint32_t count_polygon_vertices(const Leaf& leaf, const CellTree& tree) {

@@ -14,22 +14,6 @@ namespace saddle {
 
 using Polygon = std::vector<PolygonCorner>;
 
-/// Calls f(a, b) for neighbours a and b around the cell polygon of a leaf, hanging vertices
-/// included, counter-clockwise in (u, v).
-template <class F>
-void for_sides(const Leaf& leaf, const CellTree& tree, F f) {
-  const std::uint32_t first = leaf.samples.corner[0];
-  std::uint32_t before = first;
-  for (std::size_t k = 0; k < 4; ++k) {
-    tree.vertices().walk(leaf, k, [&](std::uint32_t vertex, DyadicPoint) {
-      if (vertex == first) return;
-      f(before, vertex);
-      before = vertex;
-    });
-  }
-  f(before, first);
-}
-
 /// The number of vertices of the cell polygon.
 std::uint32_t count_polygon_vertices(const Leaf& leaf, const CellTree& tree);
 

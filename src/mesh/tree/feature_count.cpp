@@ -4,9 +4,8 @@
 #include <array>
 #include <optional>
 
-#include <glm/geometric.hpp>
-
 #include "mesh/tree/cell_tree.h"
+#include "mesh/tree/jump_lines.h"
 
 namespace saddle {
 
@@ -80,54 +79,6 @@ std::size_t count_cut_vertices(const Leaf& leaf, const CellTree& tree) {
   return count;
 }
 
-/// A strip's ends are at most this many times as far apart as those of the sheets beside it, or
-/// they are of two sheets: jumps that cross in the leaf change their order.
-constexpr double kMostSlant = 4;
-
-/// A side of a leaf with a feature, on the way around the leaf.
-struct CutSide {
-  EdgeFeature feature;
-  std::uint32_t from, to;
-  std::size_t strips() const { return feature.kind == FeatureKind::Jump ? feature.strips : 0; }
-};
-
-/// The strips between jumps on the sides of a leaf.
-class Strips {
- public:
-  void add(const CutSide& side) {
-    if (count_ < sides_.size()) sides_[count_] = side;
-    ++count_;
-    has_strips_ = has_strips_ || side.strips() > 0;
-  }
-
-  bool any() const { return has_strips_; }
-
-  /// How many go from one side to the other; 0 unless all do.
-  std::size_t through(const CellTree& tree) const {
-    const auto& [first, second] = sides_;
-    if (count_ != 2 || first.strips() != second.strips()) return 0;
-    const auto& position = tree.mesh().position;
-    const auto apart = [&](std::uint32_t a, std::uint32_t b) {
-      return glm::distance(position[a], position[b]);
-    };
-    const double outside =
-        std::max(apart(first.feature.beside(first.from), second.feature.beside(second.to)),
-                 apart(first.feature.beside(first.to), second.feature.beside(second.from)));
-    for (std::size_t k = 0; k < first.strips(); ++k) {
-      const auto near = first.feature.on_strip(k, first.from);
-      const auto far = second.feature.on_strip(k, second.to);
-      const double across = std::max(apart(near[0], far[0]), apart(near[1], far[1]));
-      if (!(across <= kMostSlant * outside)) return 0;
-    }
-    return first.strips();
-  }
-
- private:
-  std::array<CutSide, 2> sides_ = {};
-  std::size_t count_ = 0;
-  bool has_strips_ = false;
-};
-
 }  // namespace
 
 FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
@@ -136,7 +87,7 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
   std::optional<int> first_exit;  // where the surface leaves the clip box before the first cut
   std::optional<int> entry;       // and beyond the last one
   std::size_t faces = 0;
-  Strips strips;
+  bool has_jumps = false;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     add_singular_vertex(a, tree, singular);
     const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
@@ -144,7 +95,7 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
     if (!feature) return;
     // A pole that leaves the clip box at an undefined vertex counts once.
     if (feature->kind == FeatureKind::Face && !tree.geometry().is_defined(a)) return;
-    strips.add({*feature, a, b});
+    has_jumps = has_jumps || feature->kind == FeatureKind::Jump;
     const bool on_side_of_u =
         tree.vertices().place_between(a).x == tree.vertices().place_between(b).x;
     const bool has_more = tree.edges().has_more(a, b);
@@ -168,9 +119,10 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
     count.only_jumps =
         count.only_jumps && (feature->is_continuous() || feature->kind == FeatureKind::Jump);
   });
-  if (strips.any()) {
-    count.strips = count.features == 2 ? strips.through(tree) : 0;
-    count.has_more = count.has_more || count.strips == 0;
+  if (has_jumps) {
+    const JumpLines lines(leaf, tree);
+    count.lines = lines.count();
+    count.has_more = count.has_more || (lines.have_strips() && count.lines == 0);
   }
   count.changes_face = count.changes_face || entry != first_exit || faces % 2 == 1;
   count.singular_points = singular.size();

@@ -36,7 +36,7 @@ struct FeatureCount {
   bool has_cliffs = false;
   bool is_continuous = true;   ///< there are no others than creases and cliffs
   bool has_more = false;       ///< a side has more than one, or strips that end in the leaf
-  std::size_t strips = 0;      ///< that go through the leaf, between jumps
+  std::size_t lines = 0;       ///< of jumps that go through side by side, if more than one
   bool leads_to_pole = false;  ///< a side does
 
   /// The direction that separates several lines which cut a leaf: lines that cross its sides of
@@ -56,11 +56,12 @@ struct FeatureCount {
            (at_ends_of_v > 0 && inner_v == 0 && inner_u > 0);
   }
 
-  /// Whether one line goes through the leaf, so that sub_polygons() yields two. A vertex on a jump
-  /// may have a value of its own, as sign(0) is 0: the line then cuts both sides that meet there.
+  /// Whether a line goes through the leaf, or several side by side, so that sub_polygons() yields
+  /// one more. A vertex on a jump may have a value of its own, as sign(0) is 0: the line then cuts
+  /// both sides that meet there.
   bool is_through() const {
     if (has_more || changes_face) return false;
-    return features == 2 || features - at_vertices == 2 ||
+    return lines > 0 || features == 2 || features - at_vertices == 2 ||
            (only_creases && features < 2 && features + singular_points == 2);
   }
 };

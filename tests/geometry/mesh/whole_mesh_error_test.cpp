@@ -31,7 +31,7 @@ struct Wall {
   std::function<dvec2(double)> along;  ///< a place on the wall, for 0 to 1
 };
 
-class UprightWalls : public testing::TestWithParam<Wall> {};
+class UprightWalls : public ::testing::TestWithParam<Wall> {};
 
 double distance_from_plateaus(const Wall& wall, const dvec3& p) {
   const double across = wall.across(dvec2(p));
@@ -91,16 +91,16 @@ dvec2 on_circle(double radius, double part) {
 
 INSTANTIATE_TEST_SUITE_P(
     Walls, UprightWalls,
-    testing::Values(Wall{"tanh(1e12*(u-0.1))", [](dvec2 uv) { return uv.x - 0.1; },
-                         [](double part) { return dvec2(0.1, 2 * part - 1); }},
-                    Wall{"clamp(1e5*(hypot(u,v)-0.7),-1,1)",
-                         [](dvec2 uv) { return glm::length(uv) - 0.7; },
-                         [](double part) { return on_circle(0.7, part); }},
-                    Wall{"tanh(1e6*(u^2+v^2-0.5))",
-                         [](dvec2 uv) { return glm::length(uv) - std::sqrt(0.5); },
-                         [](double part) { return on_circle(std::sqrt(0.5), part); }}));
+    ::testing::Values(Wall{"tanh(1e12*(u-0.1))", [](dvec2 uv) { return uv.x - 0.1; },
+                           [](double part) { return dvec2(0.1, 2 * part - 1); }},
+                      Wall{"clamp(1e5*(hypot(u,v)-0.7),-1,1)",
+                           [](dvec2 uv) { return glm::length(uv) - 0.7; },
+                           [](double part) { return on_circle(0.7, part); }},
+                      Wall{"tanh(1e6*(u^2+v^2-0.5))",
+                           [](dvec2 uv) { return glm::length(uv) - std::sqrt(0.5); },
+                           [](double part) { return on_circle(std::sqrt(0.5), part); }}));
 
-class SteepWalls : public testing::TestWithParam<Wall> {};
+class SteepWalls : public ::testing::TestWithParam<Wall> {};
 
 TEST_P(SteepWalls, AreWithinTheTolerance) {
   const MeshResult result = mesh_of(GetParam().z);
@@ -112,15 +112,15 @@ TEST_P(SteepWalls, AreWithinTheTolerance) {
 
 INSTANTIATE_TEST_SUITE_P(
     Walls, SteepWalls,
-    testing::Values(Wall{"erf(1.73e4*(u^2+v^2-0.4315))",
-                         [](dvec2 uv) { return glm::length(uv) - std::sqrt(0.4315); },
-                         [](double part) { return on_circle(std::sqrt(0.4315), part); }},
-                    Wall{"2/(1+exp(-3.585e4*(u^2+v^2-0.845)))-1",
-                         [](dvec2 uv) { return glm::length(uv) - std::sqrt(0.845); },
-                         [](double part) { return on_circle(std::sqrt(0.845), part); }},
-                    Wall{"clamp(1e5*(u+v),-1,1)",
-                         [](dvec2 uv) { return (uv.x + uv.y) / std::numbers::sqrt2; },
-                         [](double part) { return dvec2(2 * part - 1, 1 - 2 * part); }}));
+    ::testing::Values(Wall{"erf(1.73e4*(u^2+v^2-0.4315))",
+                           [](dvec2 uv) { return glm::length(uv) - std::sqrt(0.4315); },
+                           [](double part) { return on_circle(std::sqrt(0.4315), part); }},
+                      Wall{"2/(1+exp(-3.585e4*(u^2+v^2-0.845)))-1",
+                           [](dvec2 uv) { return glm::length(uv) - std::sqrt(0.845); },
+                           [](double part) { return on_circle(std::sqrt(0.845), part); }},
+                      Wall{"clamp(1e5*(u+v),-1,1)",
+                           [](dvec2 uv) { return (uv.x + uv.y) / std::numbers::sqrt2; },
+                           [](double part) { return dvec2(2 * part - 1, 1 - 2 * part); }}));
 
 /// A ridge of height 1, thinner than the tolerance.
 struct Ridge {
@@ -128,7 +128,7 @@ struct Ridge {
   std::function<dvec2(double)> crest;  ///< for 0 to 1
 };
 
-class ThinRidges : public testing::TestWithParam<Ridge> {};
+class ThinRidges : public ::testing::TestWithParam<Ridge> {};
 
 TEST_P(ThinRidges, AreToldToBeAsFarOffAsTheyAre) {
   const MeshResult result = mesh_of(GetParam().z);
@@ -142,14 +142,14 @@ TEST_P(ThinRidges, AreToldToBeAsFarOffAsTheyAre) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Ridges, ThinRidges,
-                         testing::Values(Ridge{"exp(-((v-u^2)/1e-5)^2)",
-                                               [](double part) {
-                                                 return dvec2(2 * part - 1,
-                                                              std::pow(2 * part - 1, 2));
-                                               }},
-                                         Ridge{"exp(-((u^2+v^2-0.5)/1e-3)^2)", [](double part) {
-                                                 return on_circle(std::sqrt(0.5), part);
-                                               }}));
+                         ::testing::Values(Ridge{"exp(-((v-u^2)/1e-5)^2)",
+                                                 [](double part) {
+                                                   return dvec2(2 * part - 1,
+                                                                std::pow(2 * part - 1, 2));
+                                                 }},
+                                           Ridge{"exp(-((u^2+v^2-0.5)/1e-3)^2)", [](double part) {
+                                                   return on_circle(std::sqrt(0.5), part);
+                                                 }}));
 
 }  // namespace
 }  // namespace saddle
