@@ -213,6 +213,32 @@ TEST_F(Workplace, DrawsAnEditWithItsMesh) {
   EXPECT_GT(together, 0) << "no picture before that of the edit";
 }
 
+/// A coarse picture is magnified: its rim must not take colours from beside it.
+TEST_F(Workplace, ShowsNothingOfEarlierPicturesAtTheRim) {
+  constexpr int kSide = 160;
+  Viewer viewer(setup_of(entry("torus")));  // its context
+  ASSERT_TRUE(rests(viewer));
+  Scene scene;
+  scene.background = {1, 1, 1};
+  scene.mesh.samples = GridSize{2, 2};
+  scene.surfaces.emplace_back().z = "u*v";
+  scene.surfaces[0].visible = false;  // but for its background
+  const Tessellation surface = tessellate(scene, scene.surfaces[0], {.picture = true}, 1);
+  Renderer renderer;
+  renderer.set_surface(scene, 0, surface.mesh);
+  const FittedCamera camera = fit_camera(scene.camera, surface.mesh.bounds, 1);
+  Canvas canvas;
+  canvas.draw(renderer, {scene, camera, {}}, kSide, kSide, 1, 2);
+  scene.background = {0, 0, 0};
+  canvas.draw(renderer, {scene, camera, {}}, kSide, kSide, 0.125, 2);
+  canvas.show(0, kSide, {0, 0, kSide, kSide});
+  std::vector<unsigned char> rim(std::size_t{4} * kSide);
+  glReadPixels(0, kSide - 1, kSide, 1, GL_RGBA, GL_UNSIGNED_BYTE, rim.data());
+  for (std::size_t x = 0; x < kSide; ++x) EXPECT_EQ(rim[4 * x], 0) << "above, at " << x;
+  glReadPixels(kSide - 1, 0, 1, kSide, GL_RGBA, GL_UNSIGNED_BYTE, rim.data());
+  for (std::size_t y = 0; y < kSide; ++y) EXPECT_EQ(rim[4 * y], 0) << "at the right, at " << y;
+}
+
 TEST_F(Workplace, ForgetsProgramsOfFormulasThatAreGone) {
   Viewer viewer(setup_of(entry("torus")));  // its context
   const CountedPrograms programs;
@@ -235,7 +261,8 @@ TEST_F(Workplace, ForgetsProgramsOfFormulasThatAreGone) {
       most = std::max(most, programs.live());
     }
   }
-  EXPECT_LT(most, 60) << made << " formulas, two programs each";
+  constexpr int kFew = 12;
+  EXPECT_LE(most, kFew) << made << " formulas, two programs each";
 }
 
 }  // namespace
