@@ -12,13 +12,37 @@
 namespace saddle {
 namespace {
 
+constexpr int kTab = 258;
 constexpr int kEnd = 269;
 constexpr dvec2 kFieldOfZ{200, 115};
+constexpr dvec2 kMiddle{570, 200};
 
 class HostileUser : public Workplace {
  protected:
   static std::string scene_of(const Viewer& viewer) { return write_scene(viewer.model().scene()); }
 };
+
+TEST_F(HostileUser, TypesGarbageFromFieldToFieldAndUndoesIt) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  const std::string first = scene_of(viewer);
+  for (const std::string garbage : {"]]]{{%s%n", "1e999999"}) {
+    press_at(viewer, kFieldOfZ);
+    constexpr int kFields = 14;
+    for (int field = 0; field < kFields; ++field) {
+      key(viewer, "Ctrl-A");
+      type(viewer, garbage);
+      key(viewer, "Tab", kTab);
+      ASSERT_TRUE(rests(viewer)) << garbage;
+    }
+    EXPECT_NE(scene_of(viewer), first) << garbage;
+    press_at(viewer, kMiddle);
+    for (int i = 0; i < 200; ++i) key(viewer, "Ctrl-Z");
+    ASSERT_TRUE(rests(viewer)) << garbage;
+    EXPECT_EQ(scene_of(viewer), first) << garbage;
+    EXPECT_FALSE(viewer.model().error()) << garbage;
+  }
+}
 
 TEST_F(HostileUser, TypesANameWithoutAnEnd) {
   Viewer viewer(setup_of(entry("torus")));

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -109,6 +111,27 @@ TEST_F(Workplace, StaysAtRestWhereNothingCouldPlay) {
   key(viewer, "Space");
   EXPECT_FALSE(viewer.model().view().playing);
   EXPECT_TRUE(rests(viewer));
+}
+
+TEST_F(Workplace, CountsNoSecondsOfMeshingWhileItPlays) {
+  Scene scene = entry("torus");
+  scene.surfaces[0].z += "+t/1000";
+  ViewerSetup setup = setup_of(std::move(scene));
+  setup.tessellate = [](const Scene& asked, std::size_t surface, Detail) {
+    Scene coarse = asked;
+    coarse.mesh.samples = GridSize{8, 8};
+    std::this_thread::sleep_for(std::chrono::milliseconds(40));  // a request always waits
+    return tessellate(coarse, coarse.surfaces[surface], {.picture = true}, 1);
+  };
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(rests(viewer));
+  key(viewer, "Space");
+  ASSERT_TRUE(viewer.model().view().playing);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(1500);
+  while (std::chrono::steady_clock::now() < end) {
+    viewer.step();
+    ASSERT_FALSE(viewer.model().meshing_seconds()) << "no mesh takes so long";
+  }
 }
 
 TEST_F(Workplace, TellsTheTimeOfWhatMovesAlone) {
