@@ -43,11 +43,17 @@ bool use_huge_pages() {
   return first < last && madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE) == 0;
 }
 
+void give_back_free_memory() {
+  malloc_trim(0);
+}
+
 #else
 
 bool use_huge_pages() {
   return false;
 }
+
+void give_back_free_memory() {}
 
 #endif
 

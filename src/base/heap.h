@@ -10,6 +10,10 @@ namespace saddle {
 /// huge pages.
 bool use_huge_pages();
 
+/// Gives the system what is free of the heap, in whole pages. It takes a millisecond or two, and
+/// what is then allocated is got from the system anew: for programs that wait for a person.
+void give_back_free_memory();
+
 /// Gives the calling thread, the first one, a mebibyte of stack now, or half of what it may have. A
 /// stack that grows where the address space has come to its limit ends the program by a signal.
 void reserve_stack();

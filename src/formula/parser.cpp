@@ -133,15 +133,15 @@ class Lifter {
     if (auto unit = unit_behind_number(formula_, tokens_, token)) return *std::move(unit);
     const bool call = brackets_.is_call[index];
     std::vector<std::string> known = call ? names_.known_functions() : names_.known_variables();
-    std::string hint = call ? "known functions:" : "known names:";
-    for (const std::string& name : known) hint += " " + name;
+    std::string names = call ? "known functions:" : "known names:";
+    for (const std::string& name : known) names += " " + name;
     // A suggestion may also be of the other kind: tua for tau, Cos without brackets.
     const auto others = call ? names_.known_variables() : names_.known_functions();
     known.insert(known.end(), others.begin(), others.end());
     std::optional<std::string> meant = known_elsewhere_as(token.text);
     if (!meant) meant = nearest_name(token.text, known);
-    if (meant) hint += "; did you mean '" + *meant + "'?";
-    return formula_.error(std::string(kUnknownName) + token.text + "'", token.span, hint);
+    if (meant) names.insert(0, "did you mean '" + *meant + "'? ");
+    return formula_.error(std::string(kUnknownName) + token.text + "'", token.span, names);
   }
 
   Operand run(const std::vector<Step>& steps) {

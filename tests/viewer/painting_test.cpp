@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -111,6 +113,27 @@ TEST_F(Workplace, StaysAtRestWhereNothingCouldPlay) {
   EXPECT_TRUE(rests(viewer));
 }
 
+TEST_F(Workplace, CountsNoSecondsOfMeshingWhileItPlays) {
+  Scene scene = entry("torus");
+  scene.surfaces[0].z += "+t/1000";
+  ViewerSetup setup = setup_of(std::move(scene));
+  setup.tessellate = [](const Scene& asked, std::size_t surface, Detail) {
+    Scene coarse = asked;
+    coarse.mesh.samples = GridSize{8, 8};
+    std::this_thread::sleep_for(std::chrono::milliseconds(40));  // a request always waits
+    return tessellate(coarse, coarse.surfaces[surface], {.picture = true}, 1);
+  };
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(rests(viewer));
+  key(viewer, "Space");
+  ASSERT_TRUE(viewer.model().view().playing);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(1500);
+  while (std::chrono::steady_clock::now() < end) {
+    viewer.step();
+    ASSERT_FALSE(viewer.model().meshing_seconds()) << "no mesh takes so long";
+  }
+}
+
 TEST_F(Workplace, TellsTheTimeOfWhatMovesAlone) {
   Viewer viewer(setup_of(entry("torus")));
   ASSERT_TRUE(until(viewer, [&] { return viewer.drawing().figures().frames > 0; }));
@@ -213,6 +236,32 @@ TEST_F(Workplace, DrawsAnEditWithItsMesh) {
   EXPECT_GT(together, 0) << "no picture before that of the edit";
 }
 
+/// A coarse picture is magnified: its rim must not take colours from beside it.
+TEST_F(Workplace, ShowsNothingOfEarlierPicturesAtTheRim) {
+  constexpr int kSide = 160;
+  Viewer viewer(setup_of(entry("torus")));  // its context
+  ASSERT_TRUE(rests(viewer));
+  Scene scene;
+  scene.background = {1, 1, 1};
+  scene.mesh.samples = GridSize{2, 2};
+  scene.surfaces.emplace_back().z = "u*v";
+  scene.surfaces[0].visible = false;  // but for its background
+  const Tessellation surface = tessellate(scene, scene.surfaces[0], {.picture = true}, 1);
+  Renderer renderer;
+  renderer.set_surface(scene, 0, surface.mesh);
+  const FittedCamera camera = fit_camera(scene.camera, surface.mesh.bounds, 1);
+  Canvas canvas;
+  canvas.draw(renderer, {scene, camera, {}}, kSide, kSide, 1, 2);
+  scene.background = {0, 0, 0};
+  canvas.draw(renderer, {scene, camera, {}}, kSide, kSide, 0.125, 2);
+  canvas.show(0, kSide, {0, 0, kSide, kSide});
+  std::vector<unsigned char> rim(std::size_t{4} * kSide);
+  glReadPixels(0, kSide - 1, kSide, 1, GL_RGBA, GL_UNSIGNED_BYTE, rim.data());
+  for (std::size_t x = 0; x < kSide; ++x) EXPECT_EQ(rim[4 * x], 0) << "above, at " << x;
+  glReadPixels(kSide - 1, 0, 1, kSide, GL_RGBA, GL_UNSIGNED_BYTE, rim.data());
+  for (std::size_t y = 0; y < kSide; ++y) EXPECT_EQ(rim[4 * y], 0) << "at the right, at " << y;
+}
+
 TEST_F(Workplace, ForgetsProgramsOfFormulasThatAreGone) {
   Viewer viewer(setup_of(entry("torus")));  // its context
   const CountedPrograms programs;
@@ -235,7 +284,8 @@ TEST_F(Workplace, ForgetsProgramsOfFormulasThatAreGone) {
       most = std::max(most, programs.live());
     }
   }
-  EXPECT_LT(most, 60) << made << " formulas, two programs each";
+  constexpr int kFew = 12;
+  EXPECT_LE(most, kFew) << made << " formulas, two programs each";
 }
 
 }  // namespace

@@ -23,12 +23,13 @@ class Scissors {
 
 }  // namespace
 
-/// Binds it, too.
+/// Binds it, too. It has the picture and nothing else: samples beside it would shine into the rim
+/// when a coarse picture is magnified.
 void Canvas::Samples::fit(const Viewport& viewport) {
   per_side = viewport.per_side;
-  if (!target || viewport.samples_across() > width || viewport.samples_down() > height) {
-    width = std::max(width, viewport.samples_across());
-    height = std::max(height, viewport.samples_down());
+  if (!target || viewport.samples_across() != width || viewport.samples_down() != height) {
+    width = viewport.samples_across();
+    height = viewport.samples_down();
     target.reset();  // first the old one: there need not be memory for both
     target.emplace(width, height);
   }

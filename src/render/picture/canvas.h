@@ -44,7 +44,7 @@ class Canvas {
   Image read() const;
 
  private:
-  /// A target that is as large as the pictures of it that were asked for.
+  /// A target that is as large as the picture in it.
   struct Samples {
     std::optional<Target> target;
     int width = 0;

@@ -112,7 +112,6 @@ std::vector<PlacedMesh> Renderer::items_of(const Scene& scene, const FittedCamer
 bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
                     const Look& look) {
   assert(meshes_.size() == scene.surfaces.size());
-  forget_old_programs();
   Bounds bounds;
   for (const Instance& instance : instances(scene)) {
     bounds.add(transformed(meshes_[instance.surface].bounds(), instance.to_world));
@@ -158,6 +157,7 @@ bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   if (is_bare) background = {ink.r, ink.g, ink.b, 0};
   glEnable(GL_DEPTH_TEST);
   if (!look.interruption.is_over) {
+    ++pictures_drawn_;
     clear(background);
     draw_surfaces(scene, hiding, lights, widths, look);
     if (!look.bare) {
@@ -197,6 +197,7 @@ bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     overlay_->draw(annotations, viewport, {ink, rim_of_letters(scene)}, program, colormaps_);
   }
   glUseProgram(0);  // a program that a caller remembers as used may be deleted
+  if (is_whole) forget_old_programs();
   check_gl();
   return is_whole;
 }

@@ -110,12 +110,17 @@ class Renderer {
   LineDrawer line_drawer_;
   std::vector<Normals> normals_;  // of each
   std::optional<GpuMesh> marks_;
-  /// Compiled programs that are kept, besides those that the surfaces of a scene may need at once.
-  static constexpr std::size_t kMostPrograms = 32;
-  static constexpr std::size_t kProgramsOfSurface = 8;
+  /// Compiled programs that are kept, unless the picture at hand takes more: a driver in software
+  /// has about a megabyte for each.
+  static constexpr std::size_t kMostPrograms = 8;
   void forget_old_programs();
+  struct KeptProgram {
+    Program program;
+    std::size_t used = 0;  ///< in the last picture that it was wanted for
+  };
 
-  std::map<std::string, Program> programs_;  // for surfaces, by their text
+  std::map<std::string, KeptProgram> programs_;  // for surfaces, by their text
+  std::size_t pictures_drawn_ = 0;
   std::vector<SurfaceProgram> surface_programs_;
   std::map<std::size_t, bool> culled_;
   ColormapTextures colormaps_;

@@ -1,24 +1,36 @@
 // The programs of a renderer: compiled once, and kept as long as scenes may need them.
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "render/picture/renderer.h"
 #include "render/shading/surface_shader.h"
 
 namespace saddle {
 
-/// A window in which formulas are typed asks for ever new ones: those of old scenes go.
+/// A window in which formulas are typed asks for ever new ones: those go that were not wanted for
+/// the longest time. None goes that the picture at hand has used.
 void Renderer::forget_old_programs() {
-  if (programs_.size() <= kMostPrograms + kProgramsOfSurface * meshes_.size()) return;
-  programs_.clear();
-  surface_programs_.clear();
+  while (programs_.size() > kMostPrograms) {
+    const auto oldest = std::ranges::min_element(
+        programs_, {}, [](const auto& known) { return known.second.used; });
+    if (oldest->second.used == pictures_drawn_) return;
+    std::erase_if(surface_programs_, [&](const SurfaceProgram& noted) {
+      return noted.text.vertex + noted.text.fragment == oldest->first;
+    });
+    programs_.erase(oldest);
+  }
 }
 
 Program& Renderer::program(const ShaderText& text, const std::string& captured) {
   const std::string both = text.vertex + text.fragment;
-  const auto known = programs_.find(both);
-  if (known != programs_.end()) return known->second;
-  return programs_.emplace(both, Program(text.vertex, text.fragment, captured)).first->second;
+  auto known = programs_.find(both);
+  if (known == programs_.end()) {
+    Program compiled(text.vertex, text.fragment, captured);
+    known = programs_.emplace(both, KeptProgram{std::move(compiled)}).first;
+  }
+  known->second.used = pictures_drawn_;
+  return known->second.program;
 }
 
 /// The program for a surface, which is noted.

@@ -16,6 +16,24 @@ namespace {
 /// A preview that takes longer is not worth waiting for while the user types on.
 constexpr std::chrono::milliseconds kPatience{150};
 
+/// Meshes that take no longer have no preview: that takes as long as they do.
+constexpr std::chrono::milliseconds kQuick{100};
+
+/// Asks to stop when its time has come, unless it has ended before.
+class Alarm {
+ public:
+  Alarm(std::stop_source what, std::chrono::milliseconds after)
+      : thread_([what = std::move(what), after](const std::stop_token& end) mutable {
+          std::mutex mutex;
+          std::unique_lock lock(mutex);
+          std::condition_variable_any().wait_for(lock, end, after, [] { return false; });
+          if (!end.stop_requested()) what.request_stop();
+        }) {}
+
+ private:
+  std::jthread thread_;
+};
+
 /// Cells of a preview each way: a few thousand triangles, which take some milliseconds.
 constexpr GridSize kPreview{60, 60};
 
@@ -93,7 +111,6 @@ void MeshWorker::run(const std::stop_token& end) {
     begun_ = Clock::now();
     current_ = std::stop_source();
     if (end.stop_requested()) return;
-    const Abandonable abandonable(current_.get_token());
     lock.unlock();
     try {
       work(request);
@@ -148,9 +165,32 @@ Meshed MeshWorker::mesh_all(const Scene& scene, Detail detail) {
   return result;
 }
 
+Meshed MeshWorker::mesh_unless(const std::stop_token& unwanted, const Scene& scene, Detail detail) {
+  const Abandonable abandonable(unwanted);
+  return mesh_all(scene, detail);
+}
+
+/// The real meshes; nothing if they take too long.
+std::optional<Meshed> MeshWorker::mesh_quickly(const Scene& scene) {
+  if (!std::exchange(is_quick_, false)) return std::nullopt;
+  std::stop_source late;
+  const std::stop_callback newer(current_.get_token(), [late]() mutable { late.request_stop(); });
+  const Alarm alarm(late, kQuick);
+  try {
+    Meshed all = mesh_unless(late.get_token(), scene, Detail::Full);
+    is_quick_ = true;
+    return all;
+  } catch (const Abandoned&) {
+    if (current_.stop_requested()) throw;
+    return std::nullopt;
+  }
+}
+
 void MeshWorker::work(const Request& request) {
+  const std::stop_token newer = current_.get_token();
   if (request.manner == Manner::PreviewFirst) {
-    Meshed preview = mesh_all(request.scene, Detail::Preview);
+    if (auto all = mesh_quickly(request.scene)) return deliver(*std::move(all));
+    Meshed preview = mesh_unless(newer, request.scene, Detail::Preview);
     const bool is_whole = !preview.preview && !preview.error;
     // An error may be that of the coarse mesh; the other one will tell.
     if (!preview.error) deliver(std::move(preview));
@@ -159,7 +199,9 @@ void MeshWorker::work(const Request& request) {
     if (next_) return;
     previewing_ = false;
   }
-  deliver(mesh_all(request.scene, Detail::Full));
+  Meshed all = mesh_unless(newer, request.scene, Detail::Full);
+  is_quick_ = all.milliseconds < static_cast<double>(kQuick.count());
+  deliver(std::move(all));
 }
 
 void MeshWorker::deliver(Meshed result) {

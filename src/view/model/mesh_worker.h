@@ -54,7 +54,7 @@ struct Meshed {
 
 /// Which meshes a request is answered with.
 enum class Manner {
-  PreviewFirst,  ///< a coarse mesh at once, the real one later
+  PreviewFirst,  ///< a coarse mesh at once, the real one later; where that is quick, it alone
   Full,          ///< the real one
   InTurn         ///< the real one, once that of the request before is there
 };
@@ -85,13 +85,16 @@ class MeshWorker {
   void run(const std::stop_token& end);
   void work(const Request& request);
   Meshed mesh_all(const Scene& scene, Detail detail);
+  Meshed mesh_unless(const std::stop_token& unwanted, const Scene& scene, Detail detail);
+  std::optional<Meshed> mesh_quickly(const Scene& scene);
   void deliver(Meshed result);
 
   /// Meshes that keep the tolerance, by what they depend on.
   using Known = std::map<std::string, std::shared_ptr<const SightedMesh>>;
 
   Tessellate tessellate_;
-  Known known_;  ///< of the last scenes, for the worker's thread alone
+  Known known_;            ///< of the last scenes, for the worker's thread alone
+  bool is_quick_ = false;  ///< the last real meshes were; the same thread's
   std::function<void()> wake_;
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;

@@ -287,6 +287,7 @@ void Model::request_meshes(Manner manner) {
 bool Model::take_result() {
   auto result = worker_.take();
   if (!result) return false;
+  requested_ = Clock::now();  // others may be in the making already
   error_ = result->error;
   faulty_surface_ = result->faulty_surface;
   if (!error_) show(std::move(*result));

@@ -156,7 +156,7 @@ class Model {
   double phase_ = 0;  ///< of it, there and back from 0 to 1
   std::optional<Camera> meshed_camera_;
   std::optional<Clock::time_point> refine_at_;
-  Clock::time_point requested_;  ///< the meshes that are in the making
+  Clock::time_point requested_;  ///< meshes, or the last ones came, if that is later
   std::optional<Clock::time_point> last_tick_;
   mutable std::optional<ViewPyramid> seen_;  ///< around the meshes, for the last view asked for
   double full_ms_ = 0;                       ///< that the last mesh took that was no preview

@@ -1,5 +1,8 @@
 #include "view/panel/facts.h"
 
+#include <algorithm>
+#include <memory>
+
 #include <imgui.h>
 
 #include "base/format.h"
@@ -28,10 +31,22 @@ void show_picked(const Model& model) {
   show_wrapped(Tone::Quiet, formatted("principal %.5g and %.5g", c.largest, c.smallest));
 }
 
+namespace {
+
+bool has_triangles(const std::shared_ptr<const SightedMesh>& surface) {
+  return !surface->mesh.triangles.empty();
+}
+
+}  // namespace
+
 void show_figures(const Model& model, const Figures& figures) {
-  for (const auto& surface : model.meshes()) {
-    if (surface->mesh.triangles.empty()) continue;  // a line or a dot
+  const auto& surfaces = model.last_good().scene.surfaces;
+  const bool are_named = std::ranges::count_if(model.meshes(), has_triangles) > 1;
+  for (std::size_t i = 0; i < model.meshes().size(); ++i) {
+    const auto& surface = model.meshes()[i];
+    if (!has_triangles(surface)) continue;  // a line or a dot
     const MeshReport& report = surface->report;
+    if (are_named) show_wrapped(Tone::Plain, surfaces[i].name);
     show_wrapped(Tone::Quiet, formatted("%zu triangles, %zu evaluations",
                                         surface->mesh.triangles.size(), report.evaluations));
     if (report.tolerance) {

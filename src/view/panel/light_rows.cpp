@@ -107,11 +107,7 @@ bool show_row(Desk& desk, const LightRow& row, const Light& light) {
     edit_light(desk, row, "", [&](Light& l) { l.enabled = is_on ? 0 : 1; });
   }
   ImGui::SameLine();
-  constexpr ImGuiTreeNodeFlags kFlags = ImGuiTreeNodeFlags_NoTreePushOnOpen |
-                                        ImGuiTreeNodeFlags_AllowItemOverlap |
-                                        ImGuiTreeNodeFlags_SpanAvailWidth;
-  const bool is_open = ImGui::TreeNodeEx("##light", kFlags, "light %zu", row.index + 1);
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - icons_width(2));
+  const bool is_open = fold_row(formatted("light %zu", row.index + 1), 2);
   if (icon_button(Icon::Copy, "a copy of it")) {
     desk.edit("", [&](Scene& scene) { scene.lights.push_back(light); });
     return false;

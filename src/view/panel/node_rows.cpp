@@ -113,12 +113,7 @@ void show_node(Desk& desk, std::size_t index) {
 
 /// Its name and a button; true if it is unfolded and still there.
 bool show_node_row(const Desk& desk, std::size_t index) {
-  constexpr ImGuiTreeNodeFlags kFlags =
-      ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_AllowItemOverlap |
-      ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_FramePadding;
-  const bool is_open =
-      ImGui::TreeNodeEx("##node", kFlags, "%s", desk.scene().nodes[index].name.c_str());
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - icons_width(1));
+  const bool is_open = fold_row(desk.scene().nodes[index].name, 1);
   if (icon_button(Icon::Delete, "delete it: what is in it goes to the node around it")) {
     desk.edit("", [&](Scene& scene) { delete_node(scene, index); });
     return false;

@@ -36,8 +36,6 @@ struct Points {
 /// Buttons at the right end of a row: above the one before, once more, gone.
 template <typename Kind>
 bool show_row_buttons(Desk& desk, std::size_t i, const std::string& name) {
-  const int count = i > 0 ? 3 : 2;
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - icons_width(count));
   if (i > 0) {
     if (icon_button(Icon::Up, "one place up")) {
       desk.edit("", [&](Scene& scene) { std::swap(Kind::in(scene)[i - 1], Kind::in(scene)[i]); });
@@ -77,11 +75,8 @@ bool show_row(Desk& desk, std::size_t i) {
   }
   ImGui::SameLine();
   constexpr std::size_t kFewObjects = 2;
-  ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_NoTreePushOnOpen |
-                             ImGuiTreeNodeFlags_AllowItemOverlap |
-                             ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_FramePadding;
-  if (Kind::in(desk.scene()).size() <= kFewObjects) flags |= ImGuiTreeNodeFlags_DefaultOpen;
-  const bool is_open = ImGui::TreeNodeEx("##row", flags, "%s", name.c_str());
+  const int icons = i > 0 ? 3 : 2;
+  const bool is_open = fold_row(name, icons, Kind::in(desk.scene()).size() <= kFewObjects);
   return show_row_buttons<Kind>(desk, i, name) && is_open;
 }
 
@@ -108,9 +103,7 @@ void range_field(Desk& desk, const std::string& name, const std::string& what, b
   Scene scene = desk.scene();
   const Range range = range_in(scene);
   ImGui::PushID(name.c_str());
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(name.c_str());
-  ImGui::SameLine();
+  show_name(name);
   const float half = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFontSize()) / 2;
   const float padding = 2 * ImGui::GetStyle().FramePadding.x;
   const auto min =

@@ -126,9 +126,7 @@ void Panel::show_time(Desk& desk) const {
   const double low = animation.from;
   const double high = animation.to;
   ImGui::PushID("time");
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("t");
-  ImGui::SameLine();
+  show_name("t");
   if (icon_button(model.view().playing ? Icon::Stop : Icon::Play, row_of(Action::Play).help)) {
     desk.action = Action::Play;
   }
@@ -139,9 +137,10 @@ void Panel::show_time(Desk& desk) const {
   constexpr double kSlowest = 0.01;
   constexpr double kFastest = 100;
   ViewState view = model.view();
+  show_name("speed");
   ImGui::SetNextItemWidth(-1);
   if (ImGui::SliderScalar("##speed", ImGuiDataType_Double, &view.speed, &kSlowest, &kFastest,
-                          "speed %.2f", ImGuiSliderFlags_Logarithmic)) {
+                          "%.2f", ImGuiSliderFlags_Logarithmic)) {
     model.change_view(view, "speed");
   }
   if (desk.scene().animation) {

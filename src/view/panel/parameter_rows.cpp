@@ -140,9 +140,7 @@ void show_definition(Desk& desk, const ParameterRow& row) {
   const Definition definition = definition_in(scene, row.place);
   const std::string name = display_name(definition);
   const bool wrong = desk.is_wrong(name) || desk.is_wrong(definition.name);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted((name + (definition.is_function ? " =" : "")).c_str());
-  ImGui::SameLine();
+  show_name(name + (definition.is_function ? " =" : ""));
   const auto number = plain_number(definition);
   const std::vector<std::string> choices =
       number ? slider_of(scene, row.place, *number).choices : std::vector<std::string>();

@@ -16,6 +16,9 @@ namespace {
 /// Characters on each side of a wrong place that are shown of a long line.
 constexpr std::size_t kAround = 12;
 
+/// In place of what is left out.
+const std::string kRest = "…";
+
 ImVec4 color_of(Tone tone) {
   switch (tone) {
     case Tone::Quiet:
@@ -30,16 +33,36 @@ ImVec4 color_of(Tone tone) {
   return ImGui::GetStyleColorVec4(ImGuiCol_Text);
 }
 
+/// Whether a byte of UTF-8 is behind the first one of its letter.
+bool is_inside_letter(char byte) {
+  constexpr unsigned kTopBits = 0xC0;
+  return (static_cast<unsigned char>(byte) & kTopBits) == 0x80;
+}
+
+/// The last letters before `end`.
+std::string before_place(const std::string& text, std::size_t end) {
+  std::size_t begin = end - std::min(end, kAround);
+  while (begin > 0 && is_inside_letter(text[begin])) --begin;
+  return (begin > 0 ? kRest : "") + text.substr(begin, end - begin);
+}
+
+/// The first letters from `begin` on.
+std::string behind_place(const std::string& text, std::size_t begin) {
+  std::size_t end = std::min(begin + kAround, text.size());
+  while (end < text.size() && is_inside_letter(text[end])) ++end;
+  return text.substr(begin, end - begin) + (end < text.size() ? kRest : "");
+}
+
 /// The part of the text that is wrong, underlined, with a little around it.
 void show_place(const Place& place) {
   const std::string& text = place.text;
   if (text.empty()) return;
   const std::size_t begin = std::min(place.span.begin, text.size());
   const std::size_t end = std::clamp(place.span.end, begin, text.size());
-  const std::string before =
-      text.substr(begin - std::min(begin, kAround), std::min(begin, kAround));
-  const std::string wrong = begin < end ? text.substr(begin, end - begin) : " ";
-  ImGui::TextUnformatted(before.c_str());
+  ImGui::TextUnformatted(before_place(text, begin).c_str());
+  constexpr float kShare = 0.5F;
+  const std::string all = begin < end ? text.substr(begin, end - begin) : " ";
+  const std::string wrong = shortened(all, kShare * ImGui::GetContentRegionAvail().x);
   ImGui::SameLine(0, 0);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::PushStyleColor(ImGuiCol_Text, inks().wrong);
@@ -50,7 +73,7 @@ void show_place(const Place& place) {
                                       {corner.x + size.x, corner.y + size.y},
                                       ImGui::GetColorU32(inks().wrong), 1.5F);
   ImGui::SameLine(0, 0);
-  ImGui::TextUnformatted(text.substr(end, kAround).c_str());
+  ImGui::TextUnformatted(behind_place(text, end).c_str());
 }
 
 void show_label(const std::string& label) {
@@ -184,6 +207,29 @@ float icons_width(int count) {
   return static_cast<float>(count) * (icon_side() + ImGui::GetStyle().ItemSpacing.x);
 }
 
+void show_name(const std::string& name) {
+  constexpr float kShare = 0.3F;
+  const std::string seen = shortened(name, kShare * ImGui::GetWindowContentRegionMax().x);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(seen.c_str());
+  if (seen != name) show_tip(name);
+  ImGui::SameLine();
+}
+
+bool fold_row(const std::string& name, int icons, bool is_open_at_first) {
+  const float end = ImGui::GetWindowContentRegionMax().x - icons_width(icons);
+  const float room = end - ImGui::GetCursorPosX() - ImGui::GetTreeNodeToLabelSpacing();
+  const std::string seen = shortened(name, room);
+  ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_NoTreePushOnOpen |
+                             ImGuiTreeNodeFlags_AllowItemOverlap |
+                             ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_FramePadding;
+  if (is_open_at_first) flags |= ImGuiTreeNodeFlags_DefaultOpen;
+  const bool is_open = ImGui::TreeNodeEx("##row", flags, "%s", seen.c_str());
+  if (seen != name) show_tip(name);
+  ImGui::SameLine(end);
+  return is_open;
+}
+
 void show_error(const Error& error) {
   show_place(error.place());
   show_wrapped(Tone::Wrong, error.what());
@@ -191,14 +237,12 @@ void show_error(const Error& error) {
 }
 
 std::string shortened(const std::string& text, float width) {
-  constexpr const char* kRest = "…";
-  std::string part = text;
-  const auto is_wide = [&](const std::string& all) {
-    return ImGui::CalcTextSize(all.c_str()).x > width;
-  };
-  if (!is_wide(part)) return part;
-  while (!part.empty() && is_wide(part + kRest)) part.pop_back();
-  return part + kRest;
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  const float room = std::max(0.0F, width - ImGui::CalcTextSize(kRest.c_str()).x);
+  const char* end = text.data();
+  ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), room, 0, text.data(),
+                                  text.data() + text.size(), &end);
+  return std::string(text.data(), end) + kRest;
 }
 
 std::string for_panel(const std::string& sentence) {

@@ -40,10 +40,17 @@ bool icon_button(Icon icon, const char* tip);
 /// The width of `count` of them, side by side.
 float icons_width(int count);
 
+/// The name of what follows in its line: a long one is shortened, and its tip has all of it.
+void show_name(const std::string& name);
+
+/// A row that is folded by its name; true if it is unfolded. So many icons, which the caller adds,
+/// have room behind it.
+bool fold_row(const std::string& name, int icons, bool is_open_at_first = false);
+
 /// The wrong part of the error's text, the message and the hint.
 void show_error(const Error& error);
 
-/// ASCII text, with "…" in place of what is wider than so many pixels.
+/// A text, with "…" in place of what is wider than so many pixels.
 std::string shortened(const std::string& text, float width);
 
 /// A sentence with the panel's fields in place of the command line's options: "clip off" for

@@ -58,6 +58,8 @@ class Drawing {
   bool show(int width, int height, int left, Clock::time_point end);
   /// The window's frame is drawn, with something over the picture in `covered`, and is shown.
   void end_frame(std::span<const PixelRect> covered) { buffer_.end_frame(covered); }
+  /// The window has something of the picture that the screen has not.
+  bool has_news() const { return buffer_.has_news(); }
   /// The window has something else in place of the picture.
   void forget_window() { buffer_.damage_all(); }
   /// The picture's pixels.
@@ -69,8 +71,9 @@ class Drawing {
  private:
   /// A picture that is coarse becomes fine once nothing has moved for so long.
   static constexpr std::chrono::milliseconds kRest{120};
-  /// Meshes of an edit that take longer are not waited for.
-  static constexpr std::chrono::milliseconds kMeshesSoon{50};
+  /// Meshes of an edit that take longer are not waited for. Until then the last picture is as good
+  /// as another one of the last meshes, and the processors are the mesher's.
+  static constexpr std::chrono::milliseconds kMeshesSoon{150};
 
   enum class Stage {
     Stale,     ///< the picture is not what is to be seen

@@ -48,7 +48,8 @@ void WindowBuffer::begin_frame(int width, int height, int left) {
   left_ = left;
   const bool is_lost = was_on_screen_ && !is_kept();
   was_on_screen_ = false;
-  if (!is_same || is_lost) damage_all();
+  if (is_lost) lose({left_, 0, width_ - left_, height_});
+  if (!is_same) damage_all();
 }
 
 void WindowBuffer::damage_all() {
@@ -57,6 +58,11 @@ void WindowBuffer::damage_all() {
 }
 
 void WindowBuffer::damage(const PixelRect& part) {
+  lose(part);
+  has_news_ = true;
+}
+
+void WindowBuffer::lose(const PixelRect& part) {
   const PixelRect seen = intersection(part, {left_, 0, width_ - left_, height_});
   if (is_empty(seen)) return;
   std::erase_if(damaged_, [&](const PixelRect& other) {
@@ -84,7 +90,8 @@ bool WindowBuffer::fill(const Canvas& canvas, Clock::time_point end) {
 /// OpenGL does not say what is in the buffer after it went to the screen: the pixel in the corner
 /// tells by its alpha, which the screen does not show.
 void WindowBuffer::end_frame(std::span<const PixelRect> covered) {
-  for (const PixelRect& part : covered) damage(part);
+  has_news_ = !damaged_.empty();
+  for (const PixelRect& part : covered) lose(part);
   mark_ = static_cast<unsigned char>(mark_ % kMostMarks + 1);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glEnable(GL_SCISSOR_TEST);

@@ -23,6 +23,8 @@ class WindowBuffer {
   /// The picture has changed here.
   void damage(const PixelRect& part);
   void damage_all();
+  /// The screen does not have all that has changed.
+  bool has_news() const { return has_news_; }
 
   /// Copies what has changed, until that is over: true if nothing is left.
   bool fill(const Canvas& canvas, Clock::time_point end);
@@ -31,12 +33,14 @@ class WindowBuffer {
   void end_frame(std::span<const PixelRect> covered);
 
  private:
+  void lose(const PixelRect& part);
   bool is_kept() const;
 
   int width_ = 0;
   int height_ = 0;
   int left_ = 0;
   std::vector<PixelRect> damaged_;
+  bool has_news_ = true;
   bool was_on_screen_ = false;  ///< since the last begin_frame()
   unsigned char mark_ = 0;      ///< of the last frame
 };

@@ -93,10 +93,14 @@ void Viewer::step() {
   } catch (...) {
     say(caught_error().what());
   }
-  if (window_.take_damage()) touch();
+  if (window_.take_damage()) {
+    is_damaged_ = true;
+    touch();
+  }
   if (model_.meshing_seconds()) touch();
   keep_work(false);
   paint();
+  tidy();
   busy_ += Clock::now() - begin;
 }
 
@@ -173,6 +177,7 @@ std::optional<double> Viewer::patience() const {
   if (const auto next = model_.next_pass()) at_most(*next);
   if (const auto due = drawing_.due()) at_most(*due);
   if (!message_.empty()) at_most(message_end_);
+  if (tidy_at_ && is_at_rest()) at_most(*tidy_at_);
   if (kept_ != model_.history().version()) at_most(changed_ + kKeep);
   if (!watched_.empty()) at_most(looked_ + kLook);
   return seconds;
@@ -304,6 +309,12 @@ void Viewer::paint() {
   }
   if (!(start_shown_ ? go_on_with_thumbnails() : go_on_with_picture())) return;
   --to_paint_;
+  // The toolkit shows a list or a help in its second frame: the first finds out how large it is.
+  if (const bool answers_key = has_key_; !show_frame() && answers_key) show_frame();
+}
+
+/// False: the screen has it. The panel needs some frames to come to rest.
+bool Viewer::show_frame() {
   if (std::exchange(title_, model_.scene().title) != title_) window_.set_title(title_);
   window_.set_light(!start_shown_ && model_.scene().theme != Theme::Dark);
   window_.begin_panel();
@@ -311,11 +322,15 @@ void Viewer::paint() {
   if (to_enter_ > 0) --to_enter_;
   show_panels();
   show_overlay(overlay());
+  const bool is_new = window_.is_panel_new() || drawing_.has_news() || is_damaged_;
+  if (!is_new) return false;
+  is_damaged_ = false;
   const auto begin = Clock::now();
   drawing_.end_frame(window_.end_panel());
   window_.swap();
   showing_ += Clock::now() - begin;
   ++paints_;
+  return true;
 }
 
 /// Draws it and copies it to the window. True: a frame is to be shown. A key is answered first,

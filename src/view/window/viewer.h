@@ -50,6 +50,8 @@ class Viewer {
   bool has_events() const { return window_.has_events(); }
   /// Nothing has happened that is not shown yet, and nothing goes on.
   bool is_at_rest() const;
+  /// It has rested for so long that the memory it does not need has gone back.
+  bool is_tidy() const { return is_at_rest() && !tidy_at_; }
   const Model& model() const { return model_; }
   Spent spent() const { return {busy_, drawing_.spent(), showing_, paints_}; }
   const Drawing& drawing() const { return drawing_; }
@@ -61,6 +63,8 @@ class Viewer {
 
   /// Work is kept when nothing has changed for so long.
   static constexpr std::chrono::seconds kKeep{1};
+  /// Memory that is free goes back to the system after so long a rest.
+  static constexpr std::chrono::seconds kTidy{1};
 
   std::optional<double> patience() const;
   void print_times() const;
@@ -86,6 +90,7 @@ class Viewer {
   void open(const std::filesystem::path& path);
   void restore_work();
   void keep_work(bool now);
+  void tidy();
   bool may_lose_work();
   void tell_display_gone();
   bool is_writing() const { return saver_.is_busy() || exporter_.is_busy(); }
@@ -99,6 +104,7 @@ class Viewer {
   void paint();
   bool go_on_with_picture();
   void show_panels();
+  bool show_frame();
   void begin_thumbnails();
   bool go_on_with_thumbnails();
   void show_start();
@@ -139,9 +145,11 @@ class Viewer {
   int to_enter_ = 0;        ///< frames in which a field may still get the keyboard: events wait
   int to_paint_;            ///< frames that the window still needs
   bool has_key_ = false;    ///< that is answered by the panel, in its next frame
-  bool was_panel_first_ = false;  ///< in the last step
-  bool is_panel_behind_ = false;  ///< it has been told what its next frame must see
-  bool is_copying_ = false;       ///< the window does not have all of the picture yet
+  bool was_panel_first_ = false;              ///< in the last step
+  bool is_panel_behind_ = false;              ///< it has been told what its next frame must see
+  bool is_damaged_ = true;                    ///< the screen does not have the last frame any more
+  bool is_copying_ = false;                   ///< the window does not have all of the picture yet
+  std::optional<Clock::time_point> tidy_at_;  ///< at rest, with memory that may be free
   std::string message_;
   Clock::time_point message_end_;
   // The last members: their threads wake the window.

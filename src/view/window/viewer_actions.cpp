@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/heap.h"
 #include "export/formats/load_scene.h"
 #include "scene/model/gallery.h"
 #include "scene/options/command_text.h"
@@ -253,6 +254,17 @@ void Viewer::keep_work(bool now) {
   const std::string why = session_.keep_work(write_scene(model_.scene_to_save()));
   const bool is_news = why != std::exchange(not_kept_, why) && !why.empty();
   if (is_news) say("unsaved work is not kept: " + why + "\nS saves the scene here");
+}
+
+/// After each rest once: the next deed of a person would take it from the system again.
+void Viewer::tidy() {
+  const auto now = Clock::now();
+  if (!is_at_rest()) {
+    tidy_at_ = now + kTidy;
+  } else if (tidy_at_ && now >= *tidy_at_) {
+    tidy_at_.reset();
+    give_back_free_memory();
+  }
 }
 
 /// Says so once: quitting again leaves it.

@@ -15,6 +15,7 @@
 
 #include "base/error.h"
 #include "view/panel/colors.h"
+#include "view/window/draw_lists.h"
 
 namespace saddle {
 namespace {
@@ -96,26 +97,6 @@ class HiddenContext final : public Context {
  private:
   GLFWwindow* window_;
 };
-
-/// The boxes around what its commands draw.
-void add_boxes(const ImDrawList& list, std::vector<PixelRect>& boxes) {
-  for (const ImDrawCmd& command : list.CmdBuffer) {
-    const ImVec4& clip = command.ClipRect;
-    ImVec2 low{clip.z, clip.w};
-    ImVec2 high{clip.x, clip.y};
-    for (unsigned i = 0; i < command.ElemCount; ++i) {
-      const int corner = list.IdxBuffer[static_cast<int>(command.IdxOffset + i)];
-      const ImVec2& at = list.VtxBuffer[static_cast<int>(command.VtxOffset) + corner].pos;
-      low = {std::min(low.x, at.x), std::min(low.y, at.y)};
-      high = {std::max(high.x, at.x), std::max(high.y, at.y)};
-    }
-    const int x = static_cast<int>(std::floor(std::max(low.x, clip.x)));
-    const int y = static_cast<int>(std::floor(std::max(low.y, clip.y)));
-    const int right = static_cast<int>(std::ceil(std::min(high.x, clip.z)));
-    const int bottom = static_cast<int>(std::ceil(std::min(high.y, clip.w)));
-    if (x < right && y < bottom) boxes.push_back({x, y, right - x, bottom - y});
-  }
-}
 
 /// No larger than the screen.
 std::array<int, 2> fitting_size(int width, int height) {
@@ -382,15 +363,18 @@ void Window::begin_panel() {
   ImGui::NewFrame();
 }
 
-std::vector<PixelRect> Window::end_panel() {
+bool Window::is_panel_new() {
   ImGui::Render();
+  std::string panel = bytes_of(*ImGui::GetDrawData());
+  const bool is_new = panel != drawn_panel_;
+  drawn_panel_ = std::move(panel);
+  return is_new;
+}
+
+std::vector<PixelRect> Window::end_panel() {
   ImDrawData& drawn = *ImGui::GetDrawData();
   ImGui_ImplOpenGL3_RenderDrawData(&drawn);
-  std::vector<PixelRect> parts;
-  for (const ImDrawList* list : std::span(drawn.CmdLists, drawn.CmdListsCount)) {
-    add_boxes(*list, parts);
-  }
-  return parts;
+  return boxes_of(drawn);
 }
 
 void Window::swap() {

@@ -65,6 +65,8 @@ class Window {
 
   /// Around what Dear ImGui is told to show.
   void begin_panel();
+  /// Before end_panel(): that is other than the last end_panel() drew.
+  bool is_panel_new();
   /// The parts of the window that have something of it.
   std::vector<PixelRect> end_panel();
   /// Shows the drawn frame on the screen.
@@ -85,6 +87,7 @@ class Window {
   bool is_inside_ = false;
   std::array<int, 4> windowed_{};  ///< place and size, while the window is the screen
   bool damaged_ = true;
+  std::string drawn_panel_;  ///< what end_panel() has drawn, as bytes
   // The state that the panel was told.
   dvec2 shown_pointer_{0, 0};
   std::array<bool, 3> shown_buttons_{};

@@ -70,6 +70,31 @@ TEST(MeshWorker, MeshesWhatIsWishedForLast) {
   EXPECT_LE(previews, 100);
 }
 
+TEST(MeshWorker, MakesNoPreviewOfWhatIsQuick) {
+  Results results;
+  std::atomic<int> previews = 0;
+  std::atomic<bool> is_slow = false;
+  MeshWorker worker(
+      [&](const Scene&, std::size_t, Detail detail) {
+        if (detail == Detail::Preview) {
+          ++previews;
+          is_slow = false;
+        }
+        while (is_slow) parallel_chunks(1, 1, 1, [](std::size_t, std::size_t) {});
+        return Tessellation{};
+      },
+      [&] { results.announce(); });
+  worker.request(titled_scene("first"), Manner::Full);
+  results.wait_for(worker, "first");
+  worker.request(titled_scene("quick"), Manner::PreviewFirst);
+  results.wait_for(worker, "quick");
+  EXPECT_EQ(previews, 0);
+  is_slow = true;
+  worker.request(titled_scene("slow"), Manner::PreviewFirst);
+  results.wait_for(worker, "slow");
+  EXPECT_EQ(previews, 1) << "the real mesh took too long";
+}
+
 TEST(MeshWorker, AbandonsWhatTakesForEver) {
   Results results;
   std::atomic<bool> begun = false;
