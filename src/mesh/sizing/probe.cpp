@@ -246,6 +246,26 @@ std::vector<dvec3> Probe::positions() const {
   return positions;
 }
 
+dvec2 Probe::longest_lines() const {
+  const std::size_t columns = u_.size();
+  dvec2 longest(0);
+  std::vector<double> along_v(columns, 0.0);
+  const auto step = [this](std::size_t from, std::size_t to) {
+    const double length = glm::distance(samples_[from].position, samples_[to].position);
+    return std::isfinite(length) ? length : 0;
+  };
+  for (std::size_t row = 0; row < samples_.size(); row += columns) {
+    double along_u = 0;
+    for (std::size_t i = 0; i < columns; ++i) {
+      if (i > 0) along_u += step(row + i - 1, row + i);
+      if (row > 0) along_v[i] += step(row + i - columns, row + i);
+    }
+    longest.x = std::max(longest.x, along_u);
+  }
+  longest.y = *std::ranges::max_element(along_v);
+  return longest;
+}
+
 LinearizationErrors Probe::linearization_errors(const dvec2& size,
                                                 const Tolerance& tolerance) const {
   LinearizationErrors result{u_, v_, {}};
