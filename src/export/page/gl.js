@@ -163,7 +163,7 @@ function glPainter(canvas) {
     for (const item of faces) if (item.s.look.opacity >= 1) drawFaces(item, array, false);
     gl.disable(gl.POLYGON_OFFSET_FILL);
     for (const {s, matrix, placed} of placedItems) {
-      const {line_width: width, line_color: color, wider} = s.look;
+      const {line_width: width, line_color: color} = s.look;
       if (s.stroke) {  // nearer than what it lies on
         const nearer = (width + 2) * 2 / c.height * c.half;
         const clip = c.toClip.slice();
@@ -173,7 +173,7 @@ function glPainter(canvas) {
         if (!s.drawn.length) drawStrokes(s.buffers.lines, there.toClip, width, color, c);
       } else {
         if (view.grid) drawStrokes(s.buffers.lines, placed.toClip, width, color, c);
-        drawStrokes(s.buffers.contours, placed.toClip, wider * width, s.look.levels, c);
+        drawStrokes(s.buffers.contours, placed.toClip, width * s.look.wider, s.look.levels, c);
       }
     }
     if (edges.length) {
