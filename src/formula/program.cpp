@@ -104,7 +104,7 @@ class Compiler {
       throw formula_.error("the formula has more than 20000 numbers, names and operators",
                            tokens_[range_.end - 1].span, "give its parts names: w=..., then use w");
     }
-    Grammar grammar;
+    thread_local Grammar grammar;  // to make one takes longer than to read most formulas
     try {
       grammar.SetExpr(text_);
       grammar.Eval();  // this is what makes the byte code

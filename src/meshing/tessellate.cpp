@@ -44,12 +44,10 @@ int default_cells(int lines) {
 UniformRequest uniform_request(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                                unsigned threads) {
   UniformRequest request;
-  request.grid.lines_u = spec.grid_u;
-  request.grid.lines_v = spec.grid_v;
+  const auto [u, v] = spec.grid_lines();
   const std::optional<GridSize> samples = samples_of(scene, spec);
-  request.grid.cells_u = samples ? samples->u : default_cells(spec.grid_u);
-  request.grid.cells_v = samples ? samples->v : default_cells(spec.grid_v);
-  request.grid.threads = threads;
+  const GridSize cells = samples.value_or(GridSize{default_cells(u), default_cells(v)});
+  request.grid = {cells.u, cells.v, u, v, threads};
   request.clip = scene.clip.box;
   if (request.clip) request.clip = stretched(*request.clip, purpose.stretch);
   if (!samples) {
@@ -93,8 +91,9 @@ MeshRequest first_request(const Scene& scene, const SurfaceSpec& spec, const Pur
   }
   request.max_triangles = max_triangles;
   request.least_effort = least_effort(scene);
-  request.lines_u = spec.grid_u;
-  request.lines_v = spec.grid_v;
+  request.lines_for = [&](const Probe& probe, const Tolerance& tolerance) {
+    return lines_in_picture(scene, spec, purpose, probe, tolerance);
+  };
   request.threads = threads;
   return request;
 }

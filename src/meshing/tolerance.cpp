@@ -12,6 +12,7 @@
 #include "base/numbers.h"
 #include "mesh/sizing/effort.h"
 #include "scene/model/instances.h"
+#include "scene/model/theme.h"
 
 namespace saddle {
 namespace {
@@ -201,21 +202,22 @@ std::vector<BoundedView> by_bounds(const std::vector<View>& views, const Picture
   return result;
 }
 
-Tolerance tolerance_of_part(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
-                            const VisiblePart& part) {
-  const glm::dmat4 to_true = glm::scale(glm::dmat4(1), 1.0 / purpose.stretch);
-  const double diagonal = transformed(part.bounds, to_true).diagonal() * least_of(purpose.stretch);
-  double length = kInfinity;
-  double pixels = kInfinity;
-  for (const auto& [value, is_in_pixels] : asked(scene, purpose)) {
-    double& least = is_in_pixels ? pixels : length;
-    least = std::min(least, is_in_pixels ? value : value * diagonal);
-  }
-  if (pixels == kInfinity) return length;
+glm::dmat4 true_of_stretched(const Purpose& purpose) {
+  return glm::scale(glm::dmat4(1), 1.0 / purpose.stretch);
+}
+
+double diagonal_of(const VisiblePart& part, const Purpose& purpose) {
+  return transformed(part.bounds, true_of_stretched(purpose)).diagonal() *
+         least_of(purpose.stretch);
+}
+
+/// The side of the least pixel on a part of a surface, in any of its views.
+Tolerance pixel_of_part(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                        const VisiblePart& part) {
   double same_everywhere = kInfinity;
   std::vector<PixelSize> sizes;  // that are not
   std::vector<View> all = views(scene, spec, purpose);
-  for (View& view : all) view.place = view.place * to_true;
+  for (View& view : all) view.place = view.place * true_of_stretched(purpose);
   for (const auto& [bound, view] : by_bounds(all, scene.picture, part)) {
     if (bound >= same_everywhere) break;  // those behind have larger pixels, too
     PixelSize size(view->camera, scene.picture, view->place, part);
@@ -225,13 +227,27 @@ Tolerance tolerance_of_part(const Scene& scene, const SurfaceSpec& spec, const P
       same_everywhere = std::min(same_everywhere, size(dvec3(0), 0));
     }
   }
-  if (sizes.empty() && same_everywhere == kInfinity) same_everywhere = diagonal;
-  if (sizes.empty()) return std::min(length, pixels * same_everywhere);
-  return [=](const dvec3& p, double reach) {
-    double pixel = same_everywhere;
-    for (const PixelSize& size : sizes) pixel = std::min(pixel, size(p, reach));
-    return std::min(length, pixels * pixel);
-  };
+  if (!sizes.empty()) {
+    return [=](const dvec3& p, double reach) {
+      double pixel = same_everywhere;
+      for (const PixelSize& size : sizes) pixel = std::min(pixel, size(p, reach));
+      return pixel;
+    };
+  }
+  return same_everywhere < kInfinity ? same_everywhere : diagonal_of(part, purpose);
+}
+
+Tolerance tolerance_of_part(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                            const VisiblePart& part) {
+  const double diagonal = diagonal_of(part, purpose);
+  double length = kInfinity;
+  double pixels = kInfinity;
+  for (const auto& [value, is_in_pixels] : asked(scene, purpose)) {
+    double& least = is_in_pixels ? pixels : length;
+    least = std::min(least, is_in_pixels ? value : value * diagonal);
+  }
+  if (pixels == kInfinity) return length;
+  return pixel_of_part(scene, spec, purpose, part).times(pixels).at_most(length);
 }
 
 }  // namespace
@@ -245,6 +261,21 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Bounds& bounds, std::vector<dvec3> positions) {
   return tolerance_of_part(scene, spec, purpose, {bounds, std::move(positions)});
+}
+
+LineCounts lines_in_picture(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                            const Probe& probe, const Tolerance& tolerance) {
+  const auto [u, v] = spec.grid_lines();
+  if (spec.grid || !purpose.picture) return {u, v};
+  const std::vector<ToleranceValue> values = asked(scene, purpose);
+  const bool is_in_pixels = values.size() == 1 && values[0].pixels;
+  const Tolerance pixel =
+      is_in_pixels ? tolerance.times(1 / values[0].value)
+                   : pixel_of_part(scene, spec, purpose, visible_part(probe, std::nullopt));
+  if (!pixel.is_same_everywhere()) return {u, v};  // the eye is close
+  const GridSize fitting = fitting_grid(probe.longest_lines() / pixel(dvec3(0)),
+                                        dvec2(scene.picture.width, scene.picture.height));
+  return {fitting.u, fitting.v};
 }
 
 double tolerance_share(const Scene& scene, const Purpose& purpose) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/run_limits.h"
+#include "mesh/mesher/mesh_request.h"
 #include "mesh/model/tolerance.h"
 #include "mesh/sizing/probe.h"
 #include "scene/model/camera.h"
@@ -47,6 +48,11 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
 /// The same for what has a box and samples, and nothing else.
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Bounds& bounds, std::vector<dvec3> positions);
+
+/// The lines of a surface's grid in a picture that has no more of them than can be told apart.
+/// `tolerance`: that of the surface for the same purpose.
+LineCounts lines_in_picture(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                            const Probe& probe, const Tolerance& tolerance);
 
 /// The tolerance for a mesh that knows only its box, as a share of the box's diagonal, which the
 /// picture's larger side shows about.

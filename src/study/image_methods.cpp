@@ -119,8 +119,7 @@ class ImageStudy {
     options.normal_tolerance = subject_.normal_tolerance;
     options.max_triangles = subject_.max_triangles;
     options.clip = subject_.clip;
-    options.lines_u = 0;
-    options.lines_v = 0;
+    options.lines = {0, 0};
     options.threads = subject_.threads;
     return [this, options] { return try_mesh(subject_.surface, options); };
   }

@@ -79,8 +79,7 @@ class MeshStudy {
     options.tolerance = [length](const Probe&) { return Tolerance(length); };
     options.max_triangles = subject_.max_triangles;
     options.clip = subject_.clip;
-    options.lines_u = 0;
-    options.lines_v = 0;
+    options.lines = {0, 0};
     options.threads = subject_.threads;
     return options;
   }

@@ -88,8 +88,7 @@ void measure(const std::string& name, Mean& mean) {
       return [length](const dvec3&) { return length; };
     };
     options.clip = subject.clip;
-    options.lines_u = 0;
-    options.lines_v = 0;
+    options.lines = {0, 0};
     const auto mesh = try_mesh(subject.surface, options);
     if (!mesh) throw Error(Status::Nothing, name + " has no mesh");
     const auto triangles = static_cast<double>(mesh->mesh.triangles.size());

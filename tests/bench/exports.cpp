@@ -137,7 +137,7 @@ class Assimp {
 
 bool run() {
   Scene scene = gallery_scene(*find_gallery_entry("torus"));
-  scene.surfaces[0].grid_u = scene.surfaces[0].grid_v = 0;
+  scene.surfaces[0].grid = GridSize{0, 0};
   scene.surfaces[0].u.max = "6";  // open, so that both sides can be seen
   scene.mesh.samples = GridSize{kSide, kSide};
   scene = resolve(scene);

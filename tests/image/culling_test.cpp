@@ -43,7 +43,7 @@ Scene bare(Scene scene) {
   scene.picture.height = kHeight;
   scene.picture.antialias = 1;
   SurfaceSpec& surface = scene.surfaces.front();
-  surface.grid_u = surface.grid_v = 0;
+  surface.grid = GridSize{0, 0};
   surface.back = {.diffuse = {}, .specular = {}, .emission = kMark};
   return scene;
 }

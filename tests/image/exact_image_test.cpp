@@ -28,7 +28,7 @@ Scene sphere() {
   scene.camera.up = dvec3(0, 1, 0);
   scene.camera.target = dvec3(0);
   scene.camera.distance = 5;
-  scene.surfaces[0].grid_u = scene.surfaces[0].grid_v = 0;
+  scene.surfaces[0].grid = GridSize{0, 0};
   return scene;
 }
 

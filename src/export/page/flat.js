@@ -37,7 +37,7 @@ function flatPainter(canvas) {
         list.push([(ends[0][2] + ends[1][2] + ends[2][2]) / 3, ends, color, 0]);
       }
       if (grid || s.stroke) lines(s.chains.map(chain => chain.map(at)), matrix, s.look.line_color, s.look.line_width);
-      lines(s.contours, matrix, s.look.levels, 2 * s.look.line_width);
+      lines(s.contours, matrix, s.look.levels, s.look.line_width * s.look.wider);
     }
     lines(edges, diagonal([1, 1, 1]), scene.ink.map(x => 0.35 + 0.3 * x), line);
     context.setTransform(per, 0, 0, per, 0, 0);

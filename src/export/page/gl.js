@@ -157,7 +157,7 @@ function glPainter(canvas) {
     gl.enable(gl.DEPTH_TEST);
     const placedItems = items.map(({s, matrix}) => ({s, matrix, placed: place(s, matrix, c)}));
     const wide = Math.max(...scene.surfaces.map(s => s.look.line_width || 1));
-    gl.polygonOffset(wide * per + 1, 1);  // half of a level line's width
+    gl.polygonOffset(wide * per + 1, 1);  // enough for level lines, half of which lie on one side
     if (scene.surfaces.some(s => s.chains.length || s.contours.length)) gl.enable(gl.POLYGON_OFFSET_FILL);
     const faces = placedItems.filter(({s}) => s.drawn.length && s.look.opacity > 0);
     for (const item of faces) if (item.s.look.opacity >= 1) drawFaces(item, array, false);
@@ -173,7 +173,7 @@ function glPainter(canvas) {
         if (!s.drawn.length) drawStrokes(s.buffers.lines, there.toClip, width, color, c);
       } else {
         if (view.grid) drawStrokes(s.buffers.lines, placed.toClip, width, color, c);
-        drawStrokes(s.buffers.contours, placed.toClip, 2 * width, s.look.levels, c);
+        drawStrokes(s.buffers.contours, placed.toClip, width * s.look.wider, s.look.levels, c);
       }
     }
     if (edges.length) {

@@ -221,7 +221,8 @@ std::string surface_code(const PageScene& page, std::size_t index, std::size_t p
                      ",opacity:" + numbers.of(spec.opacity) +
                      ",line_color:" + numbers.of(spec.line_color);
   if (!spec.contours.empty()) {
-    look += ",levels:" + numbers.of(contour_color_of(spec, scene.theme));
+    look += ",levels:" + numbers.of(contour_color_of(spec, scene.theme)) +
+            ",wider:" + js_number(kContourWidth);
   }
   if (spec.line_width) look += ",line_width:" + numbers.of(*spec.line_width);
   const std::size_t extra = 1 + (spec.color.empty() ? 0 : 1) + spec.contours.size();

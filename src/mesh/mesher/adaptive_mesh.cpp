@@ -263,8 +263,7 @@ void keep_singular_points_within(const Bounds& box, const Surface& surface, unsi
 
 /// The mesh and its report; empty if no triangle has an area.
 std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& request,
-                                 const SingularSet& singular, AdaptiveMesher& mesher,
-                                 MeshResult result) {
+                                 const MeshPlan& plan, AdaptiveMesher& mesher, MeshResult result) {
   MeshReport& report = result.report;
   const Finisher finisher(mesher);
   report.effort = mesher.tree().effort().total();
@@ -287,14 +286,14 @@ std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& requ
   report.flat_triangles = report.is_clipped ? 0
                                             : std::max(triangles.expected(), triangles.all.size()) -
                                                   triangles.all.size();
-  name_singular(singular, surface.domain, report);
+  name_singular(plan.singular, surface.domain, report);
   mesher.complete(triangles, report);
   Grid& grid = mesher.grid();
   mesher.reach_extremes();
   finisher.cut_infinite(triangles.all, report);
   grid.mesh.triangles = std::move(triangles.all);
   grid.mesh.lines =
-      leaf_lines(grid, mesher.tree(), mesher.mesh().leaves, request.lines_u, request.lines_v);
+      leaf_lines(grid, mesher.tree(), mesher.mesh().leaves, plan.line_counts.u, plan.line_counts.v);
   const auto is_singular = [&, count = mesher.tree().vertices().size()](std::uint32_t corner) {
     return corner >= count || !mesher.tree().geometry().is_regular(corner);
   };
@@ -324,7 +323,7 @@ std::optional<MeshResult> mesh_within_tolerance(const Surface& surface, const Me
       find_counterexamples(plan.probe, plan.lines, tolerance_within(request.clip, plan.aim));
   AdaptiveMesher mesher(surface, request, plan);
   mesher.run(std::move(counterexamples));
-  return finish(surface, request, plan.singular, mesher, std::move(result));
+  return finish(surface, request, plan, mesher, std::move(result));
 }
 
 }  // namespace saddle

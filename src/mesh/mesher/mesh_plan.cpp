@@ -29,12 +29,11 @@ constexpr double kMostRootLines = 0.28;
 constexpr double kCoarser = 1.25;
 constexpr double kMuchCoarser = 4;
 
-FixedLines drawn_lines(const Domain& domain, const MeshRequest& request) {
+FixedLines drawn_lines(const Domain& domain, const LineCounts& counts) {
   const auto lines = [](double first, double last, int count) {
     return even_lines(first, last, static_cast<std::size_t>(std::max(count, 2) - 1));
   };
-  return {lines(domain.u0, domain.u1, request.lines_u),
-          lines(domain.v0, domain.v1, request.lines_v)};
+  return {lines(domain.u0, domain.u1, counts.u), lines(domain.v0, domain.v1, counts.v)};
 }
 
 std::size_t cells(const FixedLines& lines) {
@@ -142,10 +141,12 @@ std::optional<MeshPlan> plan_mesh(const Surface& surface, const MeshRequest& req
   const Tolerance tolerance = request.tolerance(probe);
   if (!is_usable(probe.bounds(), tolerance)) return std::nullopt;
   const double rounding = rounding_of_positions(probe.bounds());
+  const LineCounts lines = request.lines_for ? request.lines_for(probe, tolerance) : request.lines;
   MeshPlan plan{std::move(probe),
                 tolerance,
                 tolerance.times(kAim).at_least(rounding),
-                drawn_lines(surface.domain, request),
+                lines,
+                drawn_lines(surface.domain, lines),
                 {},
                 {},
                 {},

@@ -20,12 +20,13 @@ struct MeshPlan {
   /// 0.98 of the tolerance: samples miss part of the largest distance. Coarser by a factor if the
   /// limit of triangles is less than any mesh needs.
   Tolerance aim;
-  FixedLines drawn;      ///< the drawn lines and the ends of the ranges
-  SingularSet singular;  ///< singular points and lines; root lines pass through them, if few
-  FixedLines fixed;      ///< lines that the root grid must have: fixed_lines()
-  FixedLines lines;      ///< of the root grid
-  SizingField sizing;    ///< for which the lines were placed
-  double coarser = 1;    ///< that factor
+  LineCounts line_counts;  ///< of the drawn lines
+  FixedLines drawn;        ///< the drawn lines and the ends of the ranges
+  SingularSet singular;    ///< singular points and lines; root lines pass through them, if few
+  FixedLines fixed;        ///< lines that the root grid must have: fixed_lines()
+  FixedLines lines;        ///< of the root grid
+  SizingField sizing;      ///< for which the lines were placed
+  double coarser = 1;      ///< that factor
 };
 
 /// Empty if the surface is so large or small that its tolerance is not a positive number, or if it

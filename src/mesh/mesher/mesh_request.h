@@ -17,6 +17,12 @@ struct CellCounts {
   std::size_t u, v;
 };
 
+/// Lines of constant u and of constant v, evenly spaced from end to end of the range; 0: none.
+struct LineCounts {
+  int u = 16;
+  int v = 16;
+};
+
 struct MeshRequest {
   /// The tolerance of a surface that the probe describes; called once, and required.
   /// A mesh of `samples` does not keep it, but tells jumps from slopes by it.
@@ -38,10 +44,10 @@ struct MeshRequest {
   Stop stop = Stop::Never;
   double far = 0;  ///< in diagonals of the box around most of the probe's samples
 
-  /// Drawn lines of constant u and of constant v, evenly spaced from end to end of the range; 0:
-  /// none. They run along edges of the mesh.
-  int lines_u = 16;
-  int lines_v = 16;
+  /// The lines that are drawn; they run along edges of the mesh.
+  LineCounts lines = {};
+  /// The same, of a surface that the probe describes; in place of them if it is set.
+  std::function<LineCounts(const Probe&, const Tolerance&)> lines_for = {};
 
   /// A grid of these cells, cut along its features, not subdivided; nothing: cells are subdivided
   /// where the tolerance asks for it.

@@ -51,8 +51,9 @@ std::optional<MeshResult> mesh_of_samples(const Surface& surface, const MeshRequ
   std::optional<MeshPlan> plan = plan_mesh(surface, request);
   if (!plan || std::max(cells_u, cells_v) > kMostCellsEachWay) return std::nullopt;
   if (cells_u * cells_v > kMostValidated && !request.clip && is_smooth(surface)) {
-    MeshResult mesh = mesh_on_grid(surface, {static_cast<int>(cells_u), static_cast<int>(cells_v),
-                                             request.lines_u, request.lines_v, request.threads});
+    MeshResult mesh =
+        mesh_on_grid(surface, {static_cast<int>(cells_u), static_cast<int>(cells_v),
+                               plan->line_counts.u, plan->line_counts.v, request.threads});
     name_singular(plan->singular, surface.domain, mesh.report);
     return mesh;
   }

@@ -49,6 +49,14 @@ class Tolerance {
     };
   }
 
+  /// The smaller of this tolerance and a length.
+  Tolerance at_most(double length) const {
+    if (same_) return std::min(*same_, length);
+    return [length, near = near_](const dvec3& place, double reach) {
+      return std::min(near(place, reach), length);
+    };
+  }
+
  private:
   std::optional<double> same_;
   std::function<double(const dvec3&, double)> near_;

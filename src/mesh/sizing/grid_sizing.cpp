@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 
 #include "mesh/model/tolerances.h"
 
@@ -20,7 +21,7 @@ constexpr double kFallOff = 0.7;
 /// tangents take up to half as many triangles as without a limit; at 3 more, others the same.
 constexpr double kRise = 2;
 /// Every fourth sample of a column or row, next to those of its neighbours on a slant, is enough to
-/// compare ratios.
+/// compare ratios, and for cells that are as many samples wide.
 constexpr std::size_t kEveryForRatio = 4;
 /// Rounds in which cells are given a shape; the first starts from the ratio.
 constexpr int kPasses = 3;
@@ -124,9 +125,15 @@ double fewest_cells(const FixedLines& fixed) {
   return static_cast<double>((fixed.u.size() - 1) * (fixed.v.size() - 1));
 }
 
-/// The ratio of cells' sides, in v and in u, for which there are the fewest cells.
-double best_ratio(const Probe& probe, const FixedLines& fixed, const SizingField& of_edges,
-                  SampledForms forms) {
+/// A ratio of cells' sides, in v and in u, and how many cells there are.
+struct Ratio {
+  double value;
+  double cells;
+};
+
+/// The ratio for which there are the fewest cells.
+Ratio best_ratio(const Probe& probe, const FixedLines& fixed, const SizingField& of_edges,
+                 SampledForms forms) {
   const Domain& d = probe.domain();
   const double own_ratio = std::fabs((d.v1 - d.v0) / (d.u1 - d.u0));
   const auto cells = [&](int power) {
@@ -150,7 +157,7 @@ double best_ratio(const Probe& probe, const FixedLines& fixed, const SizingField
       if (best != before) break;
     }
   }
-  return std::ldexp(own_ratio, best);
+  return {std::ldexp(own_ratio, best), least};
 }
 
 /// A cell of some lines around a sample.
@@ -217,11 +224,14 @@ SizingField sizing_field(const Probe& probe, const FixedLines& fixed, const Tole
   const auto every = [&](std::size_t step) {
     return SampledForms(forms, regular, kDomainParts, kDomainParts, step);
   };
-  const double ratio = best_ratio(probe, fixed, edges, every(kEveryForRatio));
-  SampledForms all = every(1);
+  SampledForms some = every(kEveryForRatio);
+  const auto [ratio, cells] = best_ratio(probe, fixed, edges, some);
+  const bool is_coarse =
+      kEveryForRatio * kEveryForRatio * cells <= static_cast<double>(forms.size());
+  SampledForms samples = is_coarse ? std::move(some) : every(1);
   SizingField sizing;
   for (int k = 0; k < kPasses; ++k) {
-    sizing = all.sizing(ratio, k > 0 ? &sizing : nullptr);
+    sizing = samples.sizing(ratio, k > 0 ? &sizing : nullptr);
     complete(probe.seams(), edges, sizing);
     if (cells_for(probe.domain(), fixed, sizing) <= fewest_cells(fixed)) break;
   }

@@ -83,6 +83,7 @@ Probe::Probe(const Surface& surface, unsigned threads)
   sample_inside(surface, threads);
   sample_edges(surface, threads);
   std::vector<dvec2> met;
+  met.reserve(samples_.size());
   for (std::size_t k = 0; k < samples_.size(); ++k) {
     if (is_finite(samples_[k].position)) met.push_back(uv(k));
   }
@@ -126,6 +127,7 @@ void Probe::sample_inside(const Surface& surface, unsigned threads) {
     return dvec3(first[column][i], first[column + 1][i], first[column + 2][i]);
   };
   const GridColumns second(surface.curvatures, u_, v_, threads);
+  samples_.reserve(u_.size() * v_.size());
   for (std::size_t i = 0; i < u_.size() * v_.size(); ++i) {
     const dvec3 normal = vector(kNormalColumn, i);
     Sample sample{};
@@ -225,8 +227,9 @@ double Probe::area_beside(bool along_u, std::size_t end) const {
 
 std::vector<dvec3> Probe::edge_positions() const {
   std::vector<dvec3> positions;
-  for (const auto& edges : {edges_along_u_, edges_along_v_}) {
-    for (const EdgeSample& e : edges) {
+  positions.reserve(edges_along_u_.size() + edges_along_v_.size());
+  for (const auto* edges : {&edges_along_u_, &edges_along_v_}) {
+    for (const EdgeSample& e : *edges) {
       if (is_finite(e.position)) positions.push_back(e.position);
     }
   }
@@ -236,10 +239,31 @@ std::vector<dvec3> Probe::edge_positions() const {
 std::vector<dvec3> Probe::positions() const {
   std::vector<dvec3> positions;
   if (component_) positions = component_->positions;
+  positions.reserve(positions.size() + samples_.size());
   for (const Sample& s : samples_) {
     if (is_finite(s.position)) positions.push_back(s.position);
   }
   return positions;
+}
+
+dvec2 Probe::longest_lines() const {
+  const std::size_t columns = u_.size();
+  dvec2 longest(0);
+  std::vector<double> along_v(columns, 0.0);
+  const auto step = [this](std::size_t from, std::size_t to) {
+    const double length = glm::distance(samples_[from].position, samples_[to].position);
+    return std::isfinite(length) ? length : 0;
+  };
+  for (std::size_t row = 0; row < samples_.size(); row += columns) {
+    double along_u = 0;
+    for (std::size_t i = 0; i < columns; ++i) {
+      if (i > 0) along_u += step(row + i - 1, row + i);
+      if (row > 0) along_v[i] += step(row + i - columns, row + i);
+    }
+    longest.x = std::max(longest.x, along_u);
+  }
+  longest.y = *std::ranges::max_element(along_v);
+  return longest;
 }
 
 LinearizationErrors Probe::linearization_errors(const dvec2& size,

@@ -66,6 +66,9 @@ class Probe {
   /// The finite positions of samples, without those of edges; and of these.
   std::vector<dvec3> positions() const;
   std::vector<dvec3> edge_positions() const;
+  /// The lengths of the longest line of constant v and of the longest one of constant u, as far as
+  /// samples are finite.
+  dvec2 longest_lines() const;
   /// Small features between samples, and places beside jumps and boundaries.
   const Landmarks& landmarks() const { return landmarks_; }
   /// Where the surface is, if few samples or none met it.

@@ -158,8 +158,7 @@ struct Texture {
   explicit operator bool() const { return picture || !name.empty(); }
 };
 
-/// Grid lines each way unless a surface has others.
-inline constexpr int kUsualGridLines = 16;
+inline constexpr GridSize kUsualGrid{16, 16};  ///< lines, unless a surface has others
 
 struct SurfaceSpec {
   std::string name = "surface";
@@ -171,8 +170,8 @@ struct SurfaceSpec {
   ParameterNames parameters = kUsualParameters;  ///< what u and v are called
   Range u;
   Range v;
-  int grid_u = kUsualGridLines;  ///< lines of constant u and of constant v; 0 and 0: no lines
-  int grid_v = kUsualGridLines;
+  /// Lines of constant u and of constant v; 0: none. Default: the usual ones, or fitting_grid().
+  std::optional<GridSize> grid = {};
   Material front = kFrontMaterial;
   Material back = kBackMaterial;
   std::string color;  ///< in place of the materials': of u, v, x, y, z, gauss, mean; empty: none
@@ -201,6 +200,7 @@ struct SurfaceSpec {
   std::optional<std::size_t> curve = {}, point = {};
 
   bool is_stroke() const { return curve || point; }
+  GridSize grid_lines() const { return grid.value_or(kUsualGrid); }
 };
 
 /// The part that curves and points have in common.

@@ -13,7 +13,7 @@ SurfaceSpec stand_in(const Scene& scene, const StrokeSpec& stroke) {
   spec.name = stroke.name;
   spec.label = stroke.label;
   spec.visible = stroke.visible;
-  spec.grid_u = spec.grid_v = 0;
+  spec.grid = GridSize{0, 0};
   spec.front.diffuse = spec.back.diffuse = spec.line_color = stroke.color;
   spec.line_width = stroke.width;
   const bool is_on_surface = !stroke.u.empty() || !stroke.v.empty();

@@ -155,8 +155,9 @@ std::vector<dvec2> texture_places(const Scene& scene, const SurfaceSpec& spec,
 
 dvec2 texture_scale(const SurfaceSpec& spec) {
   if (!spec.texture.is_checker()) return {spec.texture.repeat.u, spec.texture.repeat.v};
-  const auto cells = [](int lines) { return lines > 1 ? lines - 1 : kUsualGridLines - 1; };
-  return {cells(spec.grid_u), cells(spec.grid_v)};
+  const auto cells = [](int lines, int usual) { return (lines > 1 ? lines : usual) - 1; };
+  const GridSize lines = spec.grid_lines();
+  return {cells(lines.u, kUsualGrid.u), cells(lines.v, kUsualGrid.v)};
 }
 
 }  // namespace saddle

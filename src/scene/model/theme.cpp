@@ -11,14 +11,19 @@ namespace {
 constexpr double kUsualHeight = 600;
 constexpr double kUsualShape = 4.0 / 3;
 
+/// Grid lines from middle to middle, in widths of a line, at the widest place of a surface: closer
+/// ones leave less than three quarters of it to be seen, and of its narrower parts nothing.
+constexpr double kLeastGap = 4;
+/// Every third of the usual grid lines is a grid, too: they are a multiple of 3 intervals apart.
+constexpr int kFewer = 3;
+static_assert((kUsualGrid.u - 1) % kFewer == 0 && (kUsualGrid.v - 1) % kFewer == 0);
+
 /// Across a point's dot, in widths of a line.
 constexpr double kDotWidth = 7;
 
 const Color kDull{0.05, 0.05, 0.05};
 const Color kMatte{0, 0, 0};
 
-/// The width of level lines, in widths of a grid line.
-constexpr double kContourWidth = 2;
 const Color kContourRed{0.72, 0.05, 0.1};
 
 /// In the order of Theme.
@@ -100,6 +105,17 @@ std::optional<dvec3> rim_of_letters(const Scene& scene) {
 
 double fit_line_width(const dvec2& size) {
   return std::max(1.0, std::min(size.y, size.x / kUsualShape) / kUsualHeight);
+}
+
+GridSize fitting_grid(const dvec2& lengths, const dvec2& size) {
+  const double gap = kLeastGap * fit_line_width(size);
+  const auto fit = [gap](int lines, double length) {
+    for (const int intervals : {lines - 1, (lines - 1) / kFewer}) {
+      if (!(length < intervals * gap)) return intervals + 1;
+    }
+    return 0;
+  };
+  return {fit(kUsualGrid.u, lengths.x), fit(kUsualGrid.v, lengths.y)};
 }
 
 double line_width_of(const SurfaceSpec& surface, const dvec2& size) {

@@ -38,11 +38,17 @@ std::optional<dvec3> rim_of_letters(const Scene& scene);
 /// Larger pictures have wider lines. Smaller ones do not have thinner lines, which would fade.
 double fit_line_width(const dvec2& size);
 
+/// The grid of a surface that says nothing of its own, in a picture of this size. Its longest lines
+/// of constant v have `lengths.x` pixels, those of constant u `lengths.y`. The usual lines; every
+/// third of them where they would be too close to tell apart; none where even these would be.
+GridSize fitting_grid(const dvec2& lengths, const dvec2& size);
+
 /// Pixels of the lines on a surface, or of the line or the dot across that it stands for.
 double line_width_of(const SurfaceSpec& surface, const dvec2& size);
 
-/// The look of level lines, by which they stand out from the grid: twice as wide, and in the
-/// theme's own colour unless the surface has another colour of lines than the theme.
+/// The width of level lines, in widths of a grid line, by which they stand out from the grid.
+inline constexpr double kContourWidth = 2;
+/// Their colour is the theme's own unless the surface has another colour of lines than the theme.
 double contour_width_of(const SurfaceSpec& surface, const dvec2& size);
 const Color& contour_color_of(const SurfaceSpec& surface, Theme theme);
 

@@ -73,6 +73,7 @@ void read_material(TomlReader& reader, const std::string& name, const TomlValue&
 }
 
 std::string write_material(const Material& material, const Material& standard) {
+  if (material == standard) return "";
   std::vector<std::string> usual;
   visit_parts(standard,
               [&](const std::string&, const auto& part) { usual.push_back(written(part)); });

@@ -42,7 +42,8 @@ void check_counts(const Scene& scene) {
   }
   std::size_t crossings = 0;
   for (const SurfaceSpec& spec : scene.surfaces) {
-    crossings += static_cast<std::size_t>(spec.grid_u) * static_cast<std::size_t>(spec.grid_v);
+    const GridSize lines = spec.grid_lines();
+    crossings += static_cast<std::size_t>(lines.u) * static_cast<std::size_t>(lines.v);
   }
   if (crossings > kMostCrossings) {
     refuse("the grids of the surfaces have too many lines",

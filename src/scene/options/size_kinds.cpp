@@ -112,25 +112,22 @@ std::string PictureSize::write() const {
 }
 
 void GridLines::parse(const Given& given) const {
-  const GridSize lines = parse_grid_lines(given.option, given.text);
-  surface->grid_u = lines.u;
-  surface->grid_v = lines.v;
+  *value = parse_grid_lines(given.option, given.text);
 }
 
 std::string GridLines::format() const {
-  const bool off = surface->grid_u == 0 && surface->grid_v == 0;
-  return off ? "off" : pair_text(surface->grid_u, surface->grid_v);
+  if (!*value) return "";
+  const auto [u, v] = **value;
+  return u == 0 && v == 0 ? "off" : pair_text(u, v);
 }
 
 void GridLines::read(const InFile& in) const {
-  const GridSize lines =
-      read_option(in, "two whole numbers, [16, 16], or \"off\"", parse_grid_lines);
-  surface->grid_u = lines.u;
-  surface->grid_v = lines.v;
+  *value = read_option(in, "two whole numbers, [16, 16], or \"off\"", parse_grid_lines);
 }
 
 std::string GridLines::write() const {
-  return "[" + std::to_string(surface->grid_u) + ", " + std::to_string(surface->grid_v) + "]";
+  if (!*value) return "";
+  return "[" + std::to_string((*value)->u) + ", " + std::to_string((*value)->v) + "]";
 }
 
 void MemorySize::parse(const Given& given) const {

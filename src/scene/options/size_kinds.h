@@ -22,9 +22,10 @@ struct PictureSize {
 
 /// MxN lines, or off.
 struct GridLines {
-  SurfaceSpec* surface;
+  std::optional<GridSize>* value;
 
   void parse(const Given& given) const;
+  void clear() const { value->reset(); }
   std::string format() const;
   void read(const InFile& in) const;
   std::string write() const;

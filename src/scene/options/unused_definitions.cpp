@@ -2,6 +2,7 @@
 // hide a definition that is unused; none that is used is ever said to be unused.
 #include "scene/options/unused_definitions.h"
 
+#include <algorithm>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -45,10 +46,23 @@ std::string text_of_scene(const Scene& scene) {
   return quoted_text(write_scene(rest)) + text_of(scene.sliders);
 }
 
-std::string text_of_surface(SurfaceSpec spec) {
+Words words_of_surface(SurfaceSpec spec) {
   spec.name.clear();
   spec.texture = {};
-  return quoted_text(write_keys(spec, Theme::Dark)) + text_of(spec.sliders);
+  return names_in(quoted_text(write_keys(spec, Theme::Dark)) + text_of(spec.sliders));
+}
+
+/// Adds to a surface's words those that its own definitions use, and takes the names of these from
+/// them. The names of its definitions that are not used.
+std::vector<std::string> take_own(const SurfaceSpec& spec, Words& words) {
+  std::vector<std::string> unused = take_used(spec.definitions, words);
+  for (const Definition& own : spec.definitions) words.erase(own.name);
+  return unused;
+}
+
+bool has_definitions(const Scene& scene) {
+  const auto has_own = [](const SurfaceSpec& spec) { return !spec.definitions.empty(); };
+  return !scene.definitions.empty() || std::ranges::any_of(scene.surfaces, has_own);
 }
 
 }  // namespace
@@ -78,21 +92,21 @@ std::vector<std::string> take_used(std::span<const Definition> definitions, Word
 }
 
 std::set<std::string> names_used_by(const SurfaceSpec& spec) {
-  Words words = names_in(text_of_surface(spec));
-  take_used(spec.definitions, words);
-  for (const Definition& own : spec.definitions) words.erase(own.name);
+  Words words = words_of_surface(spec);
+  take_own(spec, words);
   return words;
 }
 
 std::vector<std::string> unused_definitions(const Scene& scene) {
+  if (!has_definitions(scene)) return {};
   Words used = names_in(text_of_scene(scene));
   std::vector<std::string> unused;
   for (const SurfaceSpec& spec : scene.surfaces) {
-    Words words = names_in(text_of_surface(spec));
-    for (const std::string& name : take_used(spec.definitions, words)) {
+    Words words = words_of_surface(spec);
+    for (const std::string& name : take_own(spec, words)) {
       unused.push_back(spec.name + ": " + name);
     }
-    used.merge(names_used_by(spec));
+    used.merge(words);
   }
   const std::vector<std::string> shared = take_used(scene.definitions, used);
   unused.insert(unused.begin(), shared.begin(), shared.end());

@@ -351,7 +351,7 @@ bool Model::is_picked_hidden() const {
 Scene Model::scene_to_save() const {
   Scene scene = scene_;
   if (!view_.grid) {
-    for (SurfaceSpec& spec : scene.surfaces) spec.grid_u = spec.grid_v = 0;
+    for (SurfaceSpec& spec : scene.surfaces) spec.grid = GridSize{0, 0};
   }
   return scene;
 }

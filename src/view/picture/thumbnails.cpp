@@ -39,7 +39,7 @@ Image draw_entry(Renderer& renderer, const GalleryEntry& entry, int width, int h
   std::vector<Mesh> meshes;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     SurfaceSpec& spec = scene.surfaces[i];
-    spec.grid_u = spec.grid_v = 0;
+    spec.grid = GridSize{0, 0};
     meshes.push_back(tessellate(scene, spec, {.picture = true}, 1).mesh);
     renderer.set_surface(scene, i, meshes.back());
   }

@@ -167,7 +167,7 @@ TEST(AdaptiveMesh, IsWithinItsToleranceAtPlacesThatNobodyLookedAt) {
 
 MeshRequest without_lines(double share) {
   MeshRequest options = within_share(share, 180);
-  options.lines_u = options.lines_v = 0;
+  options.lines = {0, 0};
   return options;
 }
 
@@ -264,7 +264,7 @@ TEST(AdaptiveMesh, DoesNotRefineTheWholeDomainForANarrowPeak) {
 
 TEST(AdaptiveMesh, MakesTwoTrianglesOfAPlane) {
   MeshRequest options = within_share(1e-3, 3);
-  options.lines_u = options.lines_v = 0;
+  options.lines = {0, 0};
   const Surface plane = surface_from_text("u+v", "v", "2*u-3*v", {}, {}, Order::Second);
   EXPECT_EQ(try_mesh(plane, options)->mesh.triangles.size(), 2U);
 }

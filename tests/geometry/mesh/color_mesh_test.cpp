@@ -70,7 +70,7 @@ TEST(Colors, AreRightToAboutAStepBetweenCorners) {
 
 TEST(Colors, RefineAPlaneWhoseColourWavesAlthoughItsRimIsConstant) {
   Scene scene = scene_of("u", "v", "0");
-  scene.surfaces[0].grid_u = scene.surfaces[0].grid_v = 0;
+  scene.surfaces[0].grid = GridSize{0, 0};
   const Mesh mesh = coloured(scene, "sin(pi*u)*sin(pi*v)").mesh;
   EXPECT_NEAR(mesh.color_range.low, -1, 0.01);
   EXPECT_NEAR(mesh.color_range.high, 1, 0.01);

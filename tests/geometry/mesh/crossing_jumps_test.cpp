@@ -85,7 +85,7 @@ class CrossingJumps : public testing::TestWithParam<double> {
     for (int k = 0; k < kSurfaces; ++k) {
       const Sheets sheets = k % 3 < 2 ? aslant_steps(dice) : curved_steps(dice);
       MeshRequest request = within_share(GetParam());
-      if (k % 2 == 1) request.lines_u = request.lines_v = 0;
+      if (k % 2 == 1) request.lines = {0, 0};
       check(sheets, try_mesh(height_field(sheets.text), request).value());
       if (HasFatalFailure()) return;
     }

@@ -90,7 +90,7 @@ TEST(Jumps, ThatSamplesDoNotTellApartAreAllCut) {
   for (const double tolerance : {0.1, 0.05, 0.03, 0.01, 5e-3, 5e-4}) {
     for (const int lines : {0, 7, 16}) {
       MeshRequest options = within_share(tolerance);
-      options.lines_u = options.lines_v = lines;
+      options.lines = {lines, lines};
       const MeshResult result = try_mesh(surface, options).value();
       EXPECT_NEAR(area(result.mesh), 120, 1e-6) << tolerance << ' ' << lines;
       EXPECT_GE(result.report.jump_count, 30U) << tolerance << ' ' << lines;
@@ -186,7 +186,7 @@ TEST(Creases, OnLinesOfTheMeshLeaveNoCracks) {
                {"max(0,1-abs(u))*max(0,1-abs(v))", 3, 1e-3, 0}};
   for (const auto& [z, half, share, lines] : cases) {
     MeshRequest options = within_share(share, 3);
-    options.lines_u = options.lines_v = lines;
+    options.lines = {lines, lines};
     const Surface surface = height_field(z, {-half, half, -half, half});
     const MeshResult result = try_mesh(surface, options).value();
     EXPECT_EQ(euler_number(result.mesh), 1) << z;

@@ -124,7 +124,7 @@ TEST_P(WithinTolerance, BothWaysBetweenSamples) {
       length = share * probe.bounds().diagonal();
       return [&length](const dvec3&) { return length; };
     };
-    options.lines_u = options.lines_v = 0;
+    options.lines = {0, 0};
     const auto mesh = try_mesh(subject.surface, options);
     ASSERT_TRUE(mesh) << share;
     EXPECT_LE(mesh->report.max_error, length) << share;

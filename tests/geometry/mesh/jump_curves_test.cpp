@@ -176,7 +176,7 @@ TEST_P(JumpCurves, AreWithinTheToleranceBothWays) {
   const auto [share, has_grid_lines] = GetParam();
   for (const CurveCase& flat : all_curves()) {
     MeshRequest request = within_share(share);
-    if (!has_grid_lines) request.lines_u = request.lines_v = 0;
+    if (!has_grid_lines) request.lines = {0, 0};
     const MeshResult result = try_mesh(height_field(flat.text), request).value();
     for (std::size_t sheet = 0; sheet < std::max<std::size_t>(flat.sheets.size(), 1); ++sheet) {
       const auto border = border_of_sheet(result.mesh, flat, sheet);

@@ -97,7 +97,7 @@ TEST(Holes, WithoutALimitAlongCurvesAreNamedAndLeftOut) {
                                  std::pair("(u-0.3)^2*v/((u-0.3)^4+v^2)", dvec2(0.3, 0))}) {
     for (const int lines : {0, 16, 17}) {
       MeshRequest options = within_share(1e-3);
-      options.lines_u = options.lines_v = lines;
+      options.lines = {lines, lines};
       const MeshReport report = try_mesh(height_field(z), options).value().report;
       // A ridge narrower than any cell leads to the point.
       EXPECT_LE(report.max_error, 2 * *report.tolerance) << z << ' ' << lines;
@@ -114,7 +114,7 @@ TEST(Holes, WithoutALimitOnALineThatBoundsDoubtAreNamedAndLeftOut) {
   for (const char* const z : {"sin(3*atan2(v,u))", "sin(2*atan2(v,u))", "cos(2*atan2(v,u))"}) {
     for (const int lines : {16, 17}) {
       MeshRequest options = within_share(1e-3, 3);
-      options.lines_u = options.lines_v = lines;
+      options.lines = {lines, lines};
       const MeshReport report = try_mesh(height_field(z), options).value().report;
       EXPECT_LE(report.max_error, *report.tolerance) << z << ' ' << lines;
       ASSERT_EQ(report.without_limit.size(), 1U) << z << ' ' << lines;
@@ -193,7 +193,7 @@ TEST(Holes, ThatAreRoundingInPlaceOf0Over0AreFilled) {
   for (const char* z : {"(u^3-v^3)/(u-v)", "(exp(u)-exp(v))/(u-v)"}) {
     for (const double end : {0.7, 1.0}) {
       MeshRequest options = within_share(1e-3, 3);
-      options.lines_u = options.lines_v = 15;
+      options.lines = {15, 15};
       const MeshResult result = try_mesh(height_field(z, {0, end, 0, 2 * end}), options).value();
       EXPECT_LE(result.report.max_error, *result.report.tolerance) << z << ' ' << end;
       EXPECT_EQ(result.report.jump_count, 0U) << z << ' ' << end;
@@ -203,7 +203,7 @@ TEST(Holes, ThatAreRoundingInPlaceOf0Over0AreFilled) {
 
 TEST(Holes, ThatHaveALimitAreFilled) {
   MeshRequest options = within_share(1e-3, 3);
-  options.lines_u = options.lines_v = 17;  // one each through the middle
+  options.lines = {17, 17};  // one each through the middle
   const MeshResult result =
       try_mesh(height_field("sin(sqrt(u^2+v^2))/sqrt(u^2+v^2)", {-9, 9, -9, 9}), options).value();
   EXPECT_EQ(result.report.undefined_fraction, 0);

@@ -307,7 +307,7 @@ TEST(Poles, ThatAreTheSameFromAllSidesAreNoLimits) {
 TEST(Poles, NeedlesToThemAreLeftOut) {
   for (const char* z : {"1/(u+v)", "1/(u-v^2)", "1/(u-v)^2"}) {
     MeshRequest options = within_length(10);
-    options.lines_u = options.lines_v = 31;  // at -0.2 and 0.2, where sums have rounding left
+    options.lines = {31, 31};  // at -0.2 and 0.2, where sums have rounding left
     const MeshResult result = try_mesh(height_field(z), options).value();
     EXPECT_LE(result.report.max_error, 10) << z;
     EXPECT_LT(result.mesh.bounds.diagonal(), 1e13) << z;

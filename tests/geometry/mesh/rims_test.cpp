@@ -19,8 +19,7 @@ namespace {
 
 MeshResult mesh_of_rim(const char* z, double tolerance, int lines = 0) {
   MeshRequest options = within_share(tolerance);
-  options.lines_u = lines;
-  options.lines_v = lines;
+  options.lines = {lines, lines};
   const Surface surface = height_field(z);
   return try_mesh(surface, options).value();
 }

@@ -185,7 +185,7 @@ TEST(Seams, OfAFoldedEdgeJoinItsHalves) {
 TEST(Seams, OfAFoldedEdgeJoinTheHalvesOfAMeshWithinATolerance) {
   for (const int lines : {0, 16, 17}) {
     MeshRequest options = within_length(5e-3);
-    options.lines_u = options.lines_v = lines;
+    options.lines = {lines, lines};
     const MeshResult result = try_mesh(pillow(Order::Second), options).value();
     EXPECT_EQ(result.report.folded_u, (std::array{true, true}));
     EXPECT_EQ(euler_number(result.mesh), 2);
@@ -202,7 +202,7 @@ TEST(Seams, HaveNoGapsWhereOneSideIsHalvedMoreOftenThanTheOther) {
       {{"r", "1+0.2*max(0,1-((u-0.3)/0.29)^2)^3*exp(-((v-3)/0.02)^2)"}}, Order::Second);
   for (const double tolerance : {0.1, 0.03, 0.01, 0.003}) {
     MeshRequest options = within_length(tolerance);
-    options.lines_u = options.lines_v = 0;
+    options.lines = {0, 0};
     const MeshResult result = try_mesh(surface, options).value();
     EXPECT_EQ(result.report.closed_u, "join");
     EXPECT_EQ(euler_number(result.mesh), 0) << tolerance;
@@ -263,7 +263,7 @@ Surface torus_of_polygon(int corners, int turns, const Domain& domain) {
 void expect_closed(const Surface& surface, long euler, const std::string& what) {
   for (const int lines : {0, 16}) {
     MeshRequest options = within_share(1e-3);
-    options.lines_u = options.lines_v = lines;
+    options.lines = {lines, lines};
     const MeshResult result = try_mesh(surface, options).value();
     EXPECT_LE(result.report.max_error, result.report.tolerance) << what << ", lines " << lines;
     EXPECT_EQ(euler_number(result.mesh), euler) << what << ", lines " << lines;

@@ -88,7 +88,7 @@ TEST(Singular, AreCountedAsMathematicsDoes) {
 /// With so many lines each way.
 MeshResult mesh_with(const Surface& surface, double share, int lines) {
   MeshRequest options = within_share(share);
-  options.lines_u = options.lines_v = lines;
+  options.lines = {lines, lines};
   return try_mesh(surface, options).value();
 }
 

@@ -26,7 +26,7 @@ constexpr double kNearChord = 2.5 * kFeatureTolerance;
 
 MeshResult mesh_with_lines(const std::string& z, int lines) {
   MeshRequest request = within_length(kFeatureTolerance);
-  request.lines_u = request.lines_v = lines;
+  request.lines = {lines, lines};
   std::optional<MeshResult> result = try_mesh(height_field(z), request);
   return result ? std::move(*result) : MeshResult();
 }

@@ -69,7 +69,7 @@ TEST(MeshDistance, FindsTheWayToARimWhereTheSurfaceStandsUpright) {
   const Subject subject(scene, scene.surfaces[0]);
   constexpr double kTolerance = 0.09;
   MeshRequest options = within_length(kTolerance);
-  options.lines_u = options.lines_v = 0;
+  options.lines = {0, 0};
   const auto mesh = try_mesh(subject.surface, options);
   ASSERT_TRUE(mesh);
   const double distance = MeshDistance(subject)(mesh->mesh);

@@ -342,7 +342,7 @@ TEST(Glb, HasTheTextureOverTheRangesVFromAbove) {
 TEST(Glb, HasAChequerboardOfEachSidesColour) {
   Scene scene = scene_of_surface();
   scene.surfaces[0].texture.name = kChecker;
-  scene.surfaces[0].grid_u = scene.surfaces[0].grid_v = 5;  // 4 cells
+  scene.surfaces[0].grid = GridSize{5, 5};  // 4 cells
   scene.surfaces[0].back.diffuse = {1, 0, 0};
   const Glb glb = glb_of(open_square(), scene);
   const Image back = glb.picture(glb.json["textures"][1]["source"]);

@@ -34,7 +34,7 @@ TEST(CommandText, SaysCameraLookAndSettings) {
   scene.surfaces[0].color = "u*v";
   scene.surfaces[0].colormap = "magma";
   scene.axes = true;
-  scene.surfaces[0].grid_u = scene.surfaces[0].grid_v = 0;
+  scene.surfaces[0].grid = GridSize{0, 0};
   scene.picture.width = 100;
   scene.picture.shading = Shading::Exact;
   scene.picture.specular = Specular::Blinn;

@@ -161,10 +161,10 @@ grid = "4x5")");
   EXPECT_FALSE(scene.clip.automatic);
   EXPECT_EQ(scene.surfaces[0].z, "1");
   EXPECT_EQ(scene.surfaces[0].u.max, "2");
-  EXPECT_EQ(scene.surfaces[0].grid_u, 0);
+  EXPECT_EQ(scene.surfaces[0].grid_lines().u, 0);
   EXPECT_EQ(scene.surfaces[0].front.diffuse.r, 1);
   EXPECT_EQ(scene.surfaces[0].back.diffuse.b, 0.3);
-  EXPECT_EQ(scene.surfaces[1].grid_v, 5);
+  EXPECT_EQ(scene.surfaces[1].grid_lines().v, 5);
 }
 
 TEST(ReadScene, HasThreeLightsUnlessItNamesSome) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "scene/model/assignments.h"
 #include "scene/options/options.h"
 #include "scene/toml/scene_file.h"
@@ -86,6 +88,17 @@ TEST(Lines, GrowWithThePicture) {
   scene.surfaces[0].line_width = Number(7);
   EXPECT_EQ(line_width_of(scene.surfaces[0], {1600, 1200}), 7);
   EXPECT_EQ(widest_line(scene, {1600, 1200}), 7);
+}
+
+TEST(FittingGrid, HasFewerLinesWhereTheyWouldBeTooClose) {
+  const auto lines = [](double u, double v, const dvec2& size = {800, 600}) {
+    const GridSize fitting = fitting_grid({u, v}, size);
+    return std::array{fitting.u, fitting.v};
+  };
+  EXPECT_EQ(lines(600, 300), (std::array{16, 16}));
+  EXPECT_EQ(lines(60, 59), (std::array{16, 6})) << "15 intervals of 4 pixels, 5 of 12";
+  EXPECT_EQ(lines(20, 19), (std::array{6, 0})) << "5 intervals of 4 pixels";
+  EXPECT_EQ(lines(120, 119, {1600, 1200}), (std::array{16, 6})) << "lines are twice as wide";
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST(SceneFile, WritesWhatOptionsChange) {
   assign(scene, "z=u");
   scene.background = {1, 1, 1, 0};
   scene.t = 0.1;
-  scene.surfaces[0].grid_u = 0;
+  scene.surfaces[0].grid = GridSize{0, 16};
   scene.axes = true;
   scene.surfaces[0].color = "gauss";
   scene.surfaces[0].colormap = "gray";
