@@ -177,6 +177,7 @@ class LineSearch {
         work_(work),
         found_(follow_lines(surface, lines, delta, threads, work)),
         jumps_(lines.size()),
+        is_full_(lines.size()),
         is_complete_(lines.size()) {}
 
   std::vector<LocatedDiscontinuity> run() {
@@ -231,28 +232,33 @@ class LineSearch {
     const auto next = std::ranges::find_if(jumps, [&](const Line& at) {
       return glm::distance(line[0], at[0]) > glm::distance(line[0], jump[0]);
     });
-    if (jumps.size() == kMostLineParts) return;  // there are waves
+    if (jumps.size() == kMostLineParts) {  // there are waves
+      is_full_[number] = true;
+      return;
+    }
     ways.push_back(
         {number, {jump[0], next == jumps.begin() ? line[0] : (*std::prev(next))[1]}, false});
     ways.push_back({number, {jump[1], next == jumps.end() ? line[1] : (*next)[0]}, true});
     jumps.insert(next, jump);
   }
 
-  /// Notes the lines whose jumps are all known: their unproved parts are few, no longer than kSame,
-  /// and without poles.
+  /// Notes the lines whose jumps are all known: their unproved parts are no longer than kSame, few
+  /// but for those beside known jumps, and without poles.
   void note_complete(std::span<const LinePart> open) {
     for (std::size_t k = 0; k < lines_.size(); ++k)
-      is_complete_[k] = found_[k].kind == Discontinuity::Jump;
+      is_complete_[k] = found_[k].kind == Discontinuity::Jump && !is_full_[k];
     std::vector<std::size_t> counts(lines_.size(), 0);
     for (const LinePart& part : open) {
       const bool is_short = length_of(part.part) <= kSame * length_of(lines_[part.line]);
-      if (!is_short || ++counts[part.line] == kMostLineParts) is_complete_[part.line] = false;
+      if (!part.broken_end) ++counts[part.line];
+      if (!is_short || counts[part.line] == kMostLineParts) is_complete_[part.line] = false;
     }
     std::vector<WayFromJump> unused;
     for (std::size_t i = 0; i < more_.size(); ++i) {
       const std::size_t k = parts_[i].line;
       if (more_[i].kind == Discontinuity::Pole) is_complete_[k] = false;
       if (more_[i].kind == Discontinuity::Jump) add_jump(k, more_[i].ends, unused);
+      if (is_full_[k]) is_complete_[k] = false;
     }
   }
 
@@ -283,6 +289,7 @@ class LineSearch {
   std::size_t& work_;
   std::vector<LocatedDiscontinuity> found_;
   JumpsOfLines jumps_;
+  std::vector<bool> is_full_;               ///< the line has more jumps than are kept
   std::vector<bool> is_complete_;           ///< the line has no other jumps
   std::vector<LinePart> parts_;             ///< that were looked at
   std::vector<LocatedDiscontinuity> more_;  ///< found in them
