@@ -15,7 +15,7 @@ HOMES = {
     r"iostream": r"src/base/standard_streams\.cpp|tests/.*",
     r"toml\+\+/.*": r"src/scene/toml/toml\.cpp",
     r"GLFW/.*|backends/imgui.*": r"src/view/window/(window|events)\.cpp",
-    r"imgui.*": r"src/view/panel/(.*\.cpp|colors\.h)|src/view/window/window\.cpp",
+    r"imgui.*": r"src/view/panel/(.*\.cpp|colors\.h)|src/view/window/(window|draw_lists)\.cpp",
     r"stb_truetype\.h": r"src/render/overlay/font\.cpp",
     r"zlib\.h": r"src/base/(png_pixels|deflate|packed_text)\.cpp|tests/.*",
     r"png\.h": r"src/base/image_png\.cpp|tests/.*",
