@@ -242,16 +242,21 @@ class LineSearch {
     jumps.insert(next, jump);
   }
 
-  /// Notes the lines whose jumps are all known: their unproved parts are no longer than kSame, few
-  /// but for those beside known jumps, and without poles.
+  /// Notes the lines whose jumps are all known: there is no pole, longer unproved parts than kSame
+  /// show no jump when they are looked at, and those as short are few but beside known jumps. The
+  /// parts that were looked at last are `open`.
   void note_complete(std::span<const LinePart> open) {
     for (std::size_t k = 0; k < lines_.size(); ++k)
       is_complete_[k] = found_[k].kind == Discontinuity::Jump && !is_full_[k];
     std::vector<std::size_t> counts(lines_.size(), 0);
-    for (const LinePart& part : open) {
+    const std::size_t first = more_.size() - open.size();
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const LinePart& part = open[i];
       const bool is_short = length_of(part.part) <= kSame * length_of(lines_[part.line]);
-      if (!part.broken_end) ++counts[part.line];
-      if (!is_short || counts[part.line] == kMostLineParts) is_complete_[part.line] = false;
+      if (is_short && !part.broken_end) ++counts[part.line];
+      const bool is_jump = more_[first + i].kind != Discontinuity::None;
+      if ((!is_short && is_jump) || counts[part.line] == kMostLineParts)
+        is_complete_[part.line] = false;
     }
     std::vector<WayFromJump> unused;
     for (std::size_t i = 0; i < more_.size(); ++i) {
