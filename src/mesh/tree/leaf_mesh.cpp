@@ -12,6 +12,7 @@
 #include "mesh/grid/triangulate.h"
 #include "mesh/grid/vertex_columns.h"
 #include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/feature_count.h"
 #include "mesh/tree/polygon.h"
 #include "mesh/tree/singular_corners.h"
 
@@ -162,6 +163,9 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
           choose_corner(which[k], sub_polygon, corner.corner);
           points.push_back(grid.mesh.point[corner.corner]);
         }
+        // Creases hold flat triangles between sheets. Beside a jump they would fill what is between
+        // the leaf's side and the edges of its neighbour.
+        if (has_no_area && has_cut(FeatureKind::Jump, leaves[which[k]], tree)) continue;
         if (!has_no_area) expected += triangles_between(points);
         triangulate_polygon(grid, std::move(polygons[sub_polygon]), result.all);
       }

@@ -145,5 +145,17 @@ TEST(JumpCrossings, AreSolvedForWithoutMoreCells) {
   EXPECT_LE(crossing.report.cells, one.report.cells + 32);
 }
 
+TEST(JumpLinesAlongSides, HaveNoTrianglesBetweenThemAndFinerNeighbours) {
+  // The upper sheet ends in a cusp along v = 0, for which its cells are halved.
+  const MeshResult result =
+      try_mesh(height_field("if(v<0,1,cbrt(u^2+v))"), within_share(1e-3)).value();
+  const auto& uv = result.mesh.uv;
+  for (const Triangle& t : result.mesh.triangles) {
+    const dvec2 a = uv[t[1]] - uv[t[0]];
+    const dvec2 b = uv[t[2]] - uv[t[0]];
+    EXPECT_GT(a.x * b.y - a.y * b.x, 1e-12) << uv[t[0]].x << ", " << uv[t[0]].y;
+  }
+}
+
 }  // namespace
 }  // namespace saddle
