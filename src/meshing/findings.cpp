@@ -225,11 +225,13 @@ class MeshFindings {
   }
 
   /// How often the mesh was cut is no property of the surface: only the places are told.
-  void take_cut(Kind kind, const char* what, std::size_t number, std::span<const dvec2> places) {
+  void take_cut(Kind kind, const char* what, std::size_t number, std::span<const dvec2> places,
+                std::span<const double> lines_u = {}, std::span<const double> lines_v = {}) {
     if (places.empty()) return;
-    const std::vector<PlaceGroup> groups = grouped_places(places, domain_);
     Finding& cut = warn(kind, std::string(what) + " and is cut there: " +
-                                  text_of(groups, number > places.size(), domain_, kToldDigits));
+                                  text_of_cuts(places, number > places.size(), lines_u, lines_v,
+                                               domain_, kToldDigits));
+    const std::vector<PlaceGroup> groups = grouped_places(places, domain_);
     dvec2 low = groups.front().low;
     dvec2 high = groups.front().high;
     for (const PlaceGroup& group : groups) {
@@ -243,7 +245,7 @@ class MeshFindings {
     take_cut(Kind::Pole, "the surface goes to infinity", report_.pole_count, report_.poles);
     const auto& torn = report_.without_limit;
     take_cut(Kind::Jump, "the surface jumps", report_.jump_count - torn.size(),
-             std::span(report_.jumps).subspan(torn.size()));
+             std::span(report_.jumps).subspan(torn.size()), report_.jump_u, report_.jump_v);
     if (torn.empty()) return;
     Finding& no_limit =
         warn(Kind::NoLimit, "the surface has no limit at " + place(torn.front(), domain_) +

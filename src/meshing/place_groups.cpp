@@ -110,6 +110,34 @@ std::vector<PlaceGroup> parts_of_line(std::span<const dvec2> places, const Place
   return parts;
 }
 
+/// Nothing for no more lines than are told one by one.
+std::string text_of_lines(std::span<const double> lines, int axis, const Domain& domain,
+                          int digits) {
+  if (lines.size() <= kToldGroups) return "";
+  const std::string& name = domain.names[static_cast<std::size_t>(axis)];
+  std::string text =
+      std::to_string(lines.size()) + " lines of constant " + name + ", " + name + " =";
+  for (const double line : lines.first(kToldGroups)) {
+    const double near_0 = kSame * extents(domain)[axis];
+    text += " " + rounded(std::fabs(line) < near_0 ? 0 : line, digits) + ",";
+  }
+  text.back() = ' ';
+  return text + "and others";
+}
+
+/// The places that are on none of these lines of constant parameter `axis`, if they are counted.
+std::vector<dvec2> beside_lines(std::span<const dvec2> places, std::span<const double> lines,
+                                int axis, const Domain& domain) {
+  std::vector<dvec2> beside(places.begin(), places.end());
+  if (lines.size() <= kToldGroups) return beside;
+  const double near = kNearly * extents(domain)[axis];
+  std::erase_if(beside, [&](const dvec2& place) {
+    const auto next = std::ranges::lower_bound(lines, place[axis] - near);
+    return next != lines.end() && *next <= place[axis] + near;
+  });
+  return beside;
+}
+
 }  // namespace
 
 PlaceGroup::PlaceGroup(std::span<const dvec2> places, Indices indices)
@@ -194,6 +222,19 @@ std::vector<PlaceGroup> grouped_places(std::span<const dvec2> places, const Doma
   const std::vector<PlaceGroup> others = one_by_one(distinct, left);
   groups.insert(groups.end(), others.begin(), others.end());
   return groups;
+}
+
+std::string text_of_cuts(std::span<const dvec2> places, bool has_others,
+                         std::span<const double> lines_u, std::span<const double> lines_v,
+                         const Domain& domain, int digits) {
+  std::string text = text_of_lines(lines_u, 0, domain, digits);
+  const std::string of_v = text_of_lines(lines_v, 1, domain, digits);
+  text += (text.empty() || of_v.empty() ? "" : "; ") + of_v;
+  const std::vector<dvec2> off =
+      beside_lines(beside_lines(places, lines_u, 0, domain), lines_v, 1, domain);
+  if (off.empty() && !text.empty()) return text;
+  return text + (text.empty() ? "" : "; ") +
+         text_of(grouped_places(off, domain), has_others, domain, digits);
 }
 
 std::string text_of(std::span<const PlaceGroup> groups, bool has_others, const Domain& domain,

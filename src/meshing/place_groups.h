@@ -54,6 +54,12 @@ inline constexpr std::size_t kToldGroups = 6;
 /// Groups of the distinct places: lines first.
 std::vector<PlaceGroup> grouped_places(std::span<const dvec2> places, const Domain& domain);
 
+/// The text of grouped places. Lines of constant u or v from end to end of the range, where there
+/// are more than kToldGroups, are counted: "200 lines of constant u, u = -1, -0.9 and others".
+std::string text_of_cuts(std::span<const dvec2> places, bool has_others,
+                         std::span<const double> lines_u, std::span<const double> lines_v,
+                         const Domain& domain, int digits);
+
 /// The groups' texts with "; " between them. `has_others`: there are places beside these.
 std::string text_of(std::span<const PlaceGroup> groups, bool has_others, const Domain& domain,
                     int digits);

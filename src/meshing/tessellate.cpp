@@ -257,6 +257,7 @@ Domain name_parameters(const Surface& surface, MeshResult& mesh) {
   take_user_parameters(surface, mesh.mesh.uv);
   for (auto* const places : {&report.poles, &report.jumps, &report.without_limit})
     take_user_parameters(surface, *places);
+  report.jump_v.clear();  // where v was constant it is not any more
   for (ProofGap& place : report.proof_gaps) {
     std::array<dvec2, 4> corners = {
         place.low, {place.high.x, place.low.y}, place.high, {place.low.x, place.high.y}};

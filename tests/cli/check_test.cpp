@@ -196,6 +196,22 @@ TEST_F(CheckCommand, TellsSizesThatDoublesCannotHold) {
   EXPECT_TRUE(contains(none, "volume      too small for doubles\n")) << none;
 }
 
+TEST_F(CheckCommand, CountsLinesOfJumpsFromEndToEnd) {
+  const auto jumps = [&](const char* formula) {
+    const std::string text = saddle({"check", formula}).out;
+    const std::size_t begin = text.find("  jumps ") + 14;
+    return text.substr(begin, text.find('\n', begin) - begin);
+  };
+  // The last one is at the end of the range.
+  const char* const six = " = -0.99, -0.98, -0.97, -0.96, -0.95, -0.94 and others";
+  EXPECT_EQ(jumps("z=mod(u*100,1)"), std::string("200 lines of constant u, u") + six);
+  EXPECT_EQ(jumps("z=mod(v*100,1)"), std::string("200 lines of constant v, v") + six);
+  EXPECT_EQ(jumps("z=mod(u*4,1)+step(0.1,v)*(u>0.9)"),
+            "8 lines of constant u, u = -0.75, -0.5, -0.25, 0, 0.25, 0.5 and others; "
+            "within u = 0.9:0.999479, v = 0.1:1");
+  EXPECT_EQ(jumps("z=sign(u)"), "u = 0, v = -1:1");
+}
+
 TEST_F(CheckCommand, SaysWhereNothingIsProvedAndWhy) {
   EXPECT_TRUE(facts({"torus"})["uncertified"].empty());
   EXPECT_TRUE(facts({"z=abs(u)"})["uncertified"].empty());

@@ -273,24 +273,25 @@ std::string vector(const dvec3& v, double rounding) {
   return "(" + part(v.x) + ", " + part(v.y) + ", " + part(v.z) + ")";
 }
 
-std::string cuts(std::span<const dvec2> listed, std::size_t count, const Domain& domain) {
+std::string cuts(std::span<const dvec2> listed, std::size_t count, const Domain& domain,
+                 std::span<const double> lines_u, std::span<const double> lines_v) {
   if (count == 0) return "none";
   const std::vector<PlaceGroup> groups = grouped_places(listed, domain);
   const bool is_points =
       std::ranges::all_of(groups, [](const PlaceGroup& group) { return group.is_point(); });
   return (is_points ? plural(groups.size(), "place") + ": " : "") +
-         text_of(groups, count > listed.size(), domain, kDigits);
+         text_of_cuts(listed, count > listed.size(), lines_u, lines_v, domain, kDigits);
 }
 
 std::string jumps(const MeshReport& report, const Domain& domain) {
   const std::size_t torn = report.without_limit.size();
-  if (torn == 0) return cuts(report.jumps, report.jump_count, domain);
+  if (torn == 0) return cuts(report.jumps, report.jump_count, domain, report.jump_u, report.jump_v);
   const std::string text =
       "no limit at " +
       text_of(one_by_one(report.without_limit, indices_of(torn)), false, domain, kDigits);
   if (report.jump_count == torn) return text;
   const auto others = std::span(report.jumps).subspan(torn);
-  return cuts(others, report.jump_count - torn, domain) + "; " + text;
+  return cuts(others, report.jump_count - torn, domain, report.jump_u, report.jump_v) + "; " + text;
 }
 
 std::string singular(const Facts& facts, double diagonal) {

@@ -37,7 +37,8 @@ std::string vector(const dvec3& v, double rounding);
 
 /// Where cuts are: "none", lines of constant u or v, and boxes around other places; single places
 /// are counted. `count`: with those that are not listed.
-std::string cuts(std::span<const dvec2> listed, std::size_t count, const Domain& domain);
+std::string cuts(std::span<const dvec2> listed, std::size_t count, const Domain& domain,
+                 std::span<const double> lines_u = {}, std::span<const double> lines_v = {});
 
 /// Where a surface jumps, as cuts(), and at which points it has no limit.
 std::string jumps(const MeshReport& report, const Domain& domain);

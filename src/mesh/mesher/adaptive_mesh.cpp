@@ -6,6 +6,8 @@
 #include <numbers>
 #include <set>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "base/compensated_sum.h"
 #include "mesh/features/nonsmooth_points.h"
@@ -46,6 +48,33 @@ class PlaceList {
   std::vector<dvec2>& listed_;
   std::size_t& count_;
   std::set<std::array<double, 2>> seen_;
+};
+
+/// Lines of one parameter on whose whole length jumps lie across sides of leaves.
+class LinesOfJumps {
+ public:
+  /// `across`: the line's parameter; `along`: the other one, of a place on it.
+  void add(double across, double along) { places_.emplace_back(across, along); }
+
+  /// The lines with places at both ends, `first` and `last`. `range`: of their parameter.
+  std::vector<double> from_end_to_end(double range, double first, double last) {
+    std::ranges::sort(places_);
+    std::vector<double> lines;
+    for (auto begin = places_.begin(); begin != places_.end();) {
+      const double limit = begin->first + kNearly * std::fabs(range);
+      const auto end = std::find_if(begin, places_.end(),
+                                    [limit](const auto& place) { return place.first > limit; });
+      const auto is_at = [&](double at) {
+        return std::any_of(begin, end, [at](const auto& place) { return place.second == at; });
+      };
+      if (is_at(first) && is_at(last)) lines.push_back(begin->first);
+      begin = end;
+    }
+    return lines;
+  }
+
+ private:
+  std::vector<std::pair<double, double>> places_;
 };
 
 /// Fills a report from the leaves of a mesh.
@@ -105,9 +134,16 @@ class Finisher {
                         if (jumps.add(uv) && report.without_limit.size() < kMaxListed)
                           report.without_limit.push_back(uv);
                       });
-    for_features(FeatureKind::Jump, [&](const Side&, const EdgeFeature& cut) {
-      jumps.add(grid_.mesh.uv[cut.beside_first]);
+    std::array<LinesOfJumps, 2> lines;
+    for_features(FeatureKind::Jump, [&](const Side& side, const EdgeFeature& cut) {
+      const dvec2& uv = grid_.mesh.uv[cut.beside_first];
+      jumps.add(uv);
+      const dvec2 along = grid_.mesh.uv[side[1]] - grid_.mesh.uv[side[0]];
+      if (along.x == 0) lines[1].add(uv.y, uv.x);
+      if (along.y == 0) lines[0].add(uv.x, uv.y);
     });
+    report.jump_u = lines[0].from_end_to_end(grid_.range.x, grid_.v.front(), grid_.v.back());
+    report.jump_v = lines[1].from_end_to_end(grid_.range.y, grid_.u.front(), grid_.u.back());
     for (const auto& [vertex, beside] : beside_lines()) {
       if (beside.diagonal() > *report.tolerance) jumps.add(grid_.mesh.uv[vertex]);
     }

@@ -77,6 +77,9 @@ struct MeshReport {
   Bounds beside_poles;
   std::vector<dvec2> jumps;  ///< places of jumps, at most 1000
   std::size_t jump_count = 0;
+  /// Lines of constant u and of constant v along which jumps were found from end to end, by all of
+  /// their places, in order.
+  std::vector<double> jump_u, jump_v;
   /// The first of the jumps: essential points, which the surface approaches differently from each
   /// side; at most 1000.
   std::vector<dvec2> without_limit;
