@@ -6,7 +6,9 @@
 #include <array>
 #include <cstdlib>
 #include <string>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace saddle {
 namespace {
@@ -20,6 +22,9 @@ constexpr char kOperand = 'x';
 constexpr char kCall = 'f';
 constexpr const char* kNot = "!";
 constexpr const char* kComponent = "'";
+
+/// Characters of the skeletons whose byte code is kept: of some hundred formulas, in a megabyte.
+constexpr std::size_t kMostKept = 20'000;
 
 double no_value(const double* /*arguments*/, int /*count*/) {
   return 0;
@@ -37,6 +42,8 @@ double component(double a) {
   return a + 1;
 }
 
+using ByteCode = std::vector<mu::SToken>;
+
 /// muparser's operators, with our own functions for the signs so that the byte code tells them.
 class Grammar final : public mu::ParserBase {
  public:
@@ -46,6 +53,25 @@ class Grammar final : public mu::ParserBase {
     DefineFun("f", static_cast<mu::multfun_type>(no_value), false);
     DefineVar("x", &operand_);
   }
+
+  /// The byte code of a skeleton. The formulas of many objects have few skeletons, and each is read
+  /// several times.
+  const ByteCode& code_of(const std::string& skeleton) {
+    const auto known = codes_.find(skeleton);
+    if (known != codes_.end()) return known->second;
+    SetExpr(skeleton);
+    Eval();  // this is what makes the byte code
+    ByteCode code;
+    for (const mu::SToken* step = GetByteCode().GetBase(); step->Cmd != mu::cmEND; ++step)
+      code.push_back(*step);
+    if (kept_ + skeleton.size() > kMostKept) {
+      codes_.clear();
+      kept_ = 0;
+    }
+    kept_ += skeleton.size();
+    return codes_.emplace(skeleton, std::move(code)).first->second;
+  }
+
   void InitCharSets() override {
     DefineNameChars("xf");
     DefineOprtChars("+-*/^?<>=!&|:'");
@@ -66,6 +92,8 @@ class Grammar final : public mu::ParserBase {
     InitOprt();
   }
   double operand_ = 0;
+  std::unordered_map<std::string, ByteCode> codes_;
+  std::size_t kept_ = 0;  ///< characters of their skeletons
 };
 
 bool is_function(const mu::SToken& token, mu::fun_type1 function) {
@@ -106,10 +134,7 @@ class Compiler {
     }
     thread_local Grammar grammar;  // to make one takes longer than to read most formulas
     try {
-      grammar.SetExpr(text_);
-      grammar.Eval();  // this is what makes the byte code
-      const mu::ParserByteCode& code = grammar.GetByteCode();
-      for (const mu::SToken* step = code.GetBase(); step->Cmd != mu::cmEND; ++step) read(*step);
+      for (const mu::SToken& step : grammar.code_of(text_)) read(step);
     } catch (const mu::ParserError& error) {
       throw explain(error);
     }

@@ -15,7 +15,7 @@ ROUNDS = 7
 SPHERES = 300
 NODES = 10_000
 # Most times of the smaller scene's, each.
-BOUNDS = {"spheres": 9.5, "nodes": 7}
+BOUNDS = {"spheres": 7, "nodes": 7}
 SPHERE = ('x = "{x}+0.4*cos(v)*cos(u)"\ny = "{y}+0.4*cos(v)*sin(u)"\nz = "0.4*sin(v)"\n'
           'u = [0, "2*pi"]\nv = ["-pi/2", "pi/2"]\n')
 

@@ -78,8 +78,11 @@ void share_density(const Seam& seam, const std::array<bool, 2>& folded,
 std::vector<SecondForm> forms_in_tolerances(const Probe& probe, const Tolerance& tolerance) {
   std::vector<SecondForm> forms;
   forms.reserve(probe.samples().size());
+  const bool is_same = tolerance.is_same_everywhere();
+  const double per_same = is_same ? 1 / tolerance(dvec3(0)) : 0;
+  const auto per_eps_at = [&](const dvec3& p) { return is_same ? per_same : 1 / tolerance(p); };
   for (const Probe::Sample& s : probe.samples()) {
-    const double per_eps = s.regular ? 1 / tolerance(s.position) : 0;
+    const double per_eps = s.regular ? per_eps_at(s.position) : 0;
     forms.push_back({per_eps * s.L, per_eps * s.M, per_eps * s.N});
   }
   return forms;
@@ -160,13 +163,6 @@ Ratio best_ratio(const Probe& probe, const FixedLines& fixed, const SizingField&
   return {std::ldexp(own_ratio, best), least};
 }
 
-/// A cell of some lines around a sample.
-struct SampledCell {
-  std::size_t i, j;
-  double area;   // of parameters
-  double error;  // in tolerances
-};
-
 /// Numbers of the cells between lines that hold some places.
 std::vector<std::size_t> cells_of(std::span<const double> places, std::span<const double> lines) {
   const bool backwards = lines.front() > lines.back();
@@ -179,21 +175,6 @@ std::vector<std::size_t> cells_of(std::span<const double> places, std::span<cons
     result.push_back(std::min(cell, lines.size() - 2));
   }
   return result;
-}
-
-/// Calls f(sample, cell) for all samples.
-template <class F>
-void for_sampled_cells(const Probe& probe, const FixedLines& lines,
-                       std::span<const SecondForm> forms, F f) {
-  const std::vector<std::size_t> columns = cells_of(probe.u(), lines.u);
-  const std::vector<std::size_t> rows = cells_of(probe.v(), lines.v);
-  for (std::size_t s = 0; s < forms.size(); ++s) {
-    const std::size_t i = columns[s % columns.size()];
-    const std::size_t j = rows[s / columns.size()];
-    const double h = lines.u[i + 1] - lines.u[i];
-    const double k = lines.v[j + 1] - lines.v[j];
-    f(s, SampledCell{i, j, std::fabs(h * k), form_error_of_cell(forms[s], h, k).error});
-  }
 }
 
 }  // namespace
@@ -258,16 +239,26 @@ std::vector<Counterexample> find_counterexamples(const Probe& probe, const Fixed
   const std::vector<SecondForm> forms = forms_in_tolerances(probe, tolerance);
   const Domain& d = probe.domain();
   const dvec2 size = glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0)) / static_cast<double>(kDomainParts);
+  const std::vector<std::size_t> columns = cells_of(probe.u(), lines.u);
+  const std::vector<std::size_t> rows = cells_of(probe.v(), lines.v);
   std::vector<Counterexample> result;
-  for_sampled_cells(probe, lines, forms, [&](std::size_t s, const SampledCell& cell) {
-    // The lines are too far apart for one cell alone, whose own samples might not show it.
-    if (!(cell.error > kMostSafety)) return;
-    result.push_back({probe.uv(s),
-                      probe.samples()[s].position,
-                      size,
-                      {std::fabs(forms[s].L), std::fabs(forms[s].N)},
-                      cell.j * (lines.u.size() - 1) + cell.i});
-  });
+  std::size_t s = 0;
+  for (const std::size_t j : rows) {
+    const double k = lines.v[j + 1] - lines.v[j];
+    for (const std::size_t i : columns) {
+      const SecondForm& form = forms[s];
+      const double h = lines.u[i + 1] - lines.u[i];
+      // The lines are too far apart for one cell alone, whose own samples might not show it.
+      if (form_error_of_cell(form, h, k).error > kMostSafety) {
+        result.push_back({probe.uv(s),
+                          probe.samples()[s].position,
+                          size,
+                          {std::fabs(form.L), std::fabs(form.N)},
+                          j * (lines.u.size() - 1) + i});
+      }
+      ++s;
+    }
+  }
   return result;
 }
 

@@ -38,18 +38,18 @@ std::vector<double> jittered(double first, double last, std::uint64_t key) {
   return values;
 }
 
-/// A tape's outputs on a grid.
-class GridColumns {
+/// A tape's outputs at `count` places.
+class TapeColumns {
  public:
-  GridColumns(const Tape& tape, std::span<const double> u, std::span<const double> v,
-              unsigned threads)
-      : columns_(tape.outputs.size()) {
+  /// `evaluate` fills the columns.
+  template <class F>
+  TapeColumns(const Tape& tape, std::size_t count, F evaluate) : columns_(tape.outputs.size()) {
     std::vector<double*> starts;
     for (Array<double>& column : columns_) {
-      column.resize(u.size() * v.size());
+      column.resize(count);
       starts.push_back(column.data());
     }
-    evaluate_grid(tape, u, v, starts, threads);
+    evaluate(tape, starts);
   }
   double number(std::size_t output, std::size_t i) const { return columns_[output][i]; }
   dvec3 vector(std::size_t output, std::size_t i) const {
@@ -62,7 +62,7 @@ class GridColumns {
 
 /// The largest |r_u x r_v| of each of two edges, from tangents on a grid of two columns or of two
 /// rows; infinite if one is not known.
-std::array<double, 2> largest_areas(const GridColumns& tangents, std::size_t columns,
+std::array<double, 2> largest_areas(const TapeColumns& tangents, std::size_t columns,
                                     std::size_t rows) {
   std::array<double, 2> largest = {};
   for (std::size_t i = 0; i < columns * rows; ++i) {
@@ -82,14 +82,15 @@ Probe::Probe(const Surface& surface, unsigned threads)
       landmarks_(find_landmarks(surface, threads)) {
   sample_inside(surface, threads);
   sample_edges(surface, threads);
-  std::vector<dvec2> met;
-  met.reserve(samples_.size());
-  for (std::size_t k = 0; k < samples_.size(); ++k) {
-    if (is_finite(samples_[k].position)) met.push_back(uv(k));
-  }
+  const auto is_met = [](const Sample& sample) { return is_finite(sample.position); };
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(samples_, is_met));
   const bool is_inside = edges_along_u_.empty() && edges_along_v_.empty();
-  const bool is_small = is_inside && kFewMet * met.size() <= samples_.size();
-  if (met.empty() || is_small || !(bounds_.diagonal() > 0)) {
+  const bool is_small = is_inside && kFewMet * count <= samples_.size();
+  if (count == 0 || is_small || !(bounds_.diagonal() > 0)) {
+    std::vector<dvec2> met;
+    for (std::size_t k = 0; k < samples_.size(); ++k) {
+      if (is_met(samples_[k])) met.push_back(uv(k));
+    }
     component_ = component_of(landmarks_, met, surface, threads);
   }
   if (component_)
@@ -126,12 +127,17 @@ void Probe::sample_inside(const Surface& surface, unsigned threads) {
   const auto vector = [&first](std::size_t column, std::size_t i) {
     return dvec3(first[column][i], first[column + 1][i], first[column + 2][i]);
   };
-  const GridColumns second(surface.curvatures, u_, v_, threads);
-  samples_.reserve(u_.size() * v_.size());
-  for (std::size_t i = 0; i < u_.size() * v_.size(); ++i) {
+  const std::size_t count = u_.size() * v_.size();
+  const TapeColumns second(surface.curvatures, count,
+                           [&](const Tape& tape, std::span<double* const> columns) {
+                             evaluate_grid(tape, u_, v_, columns, threads);
+                           });
+  samples_.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
     const dvec3 normal = vector(kNormalColumn, i);
-    Sample sample{};
+    Sample& sample = samples_.emplace_back();
     sample.position = vector(0, i);
+    const bool is_defined = is_finite(sample.position);
     const dvec3 r_uu = second.vector(0, i);
     const dvec3 r_uv = second.vector(3, i);
     const dvec3 r_vv = second.vector(6, i);
@@ -141,15 +147,13 @@ void Probe::sample_inside(const Surface& surface, unsigned threads) {
     sample.bends = {glm::length(r_uu), glm::length(r_vv)};
     const double gauss = second.number(9, i);
     const double area = first[kAreaColumn][i];
-    sample.area = std::isfinite(area) && is_finite(sample.position)
-                      ? area
-                      : std::numeric_limits<double>::infinity();
+    sample.area =
+        std::isfinite(area) && is_defined ? area : std::numeric_limits<double>::infinity();
     sample.sqrt_k = std::sqrt(std::fabs(gauss)) * area;
     sample.saddle = gauss < 0;
-    sample.regular = is_finite(sample.position) && is_finite({sample.L, sample.M, sample.N}) &&
-                     std::isfinite(sample.sqrt_k);
-    if (is_finite(sample.position)) bounds_.add(sample.position);
-    samples_.push_back(sample);
+    sample.regular =
+        is_defined && is_finite({sample.L, sample.M, sample.N}) && std::isfinite(sample.sqrt_k);
+    if (is_defined) bounds_.add(sample.position);
   }
 }
 
@@ -191,13 +195,24 @@ void Probe::sample_edges(const Surface& surface, unsigned threads) {
   std::vector<SurfacePoint> points;
   std::vector<dvec2> places;
   const auto sample = [&](std::span<const double> u, std::span<const double> v, bool along_u) {
-    const GridColumns first(surface.tangents, u, v, threads);
-    const GridColumns second(surface.curvatures, u, v, threads);
+    const std::size_t count = u.size() * v.size();
+    std::vector<double> all_u;
+    std::vector<double> all_v;
+    for (std::size_t i = 0; i < count; ++i) {
+      all_u.push_back(u[i % u.size()]);
+      all_v.push_back(v[i / u.size()]);
+    }
+    // Two columns fill no block of a grid.
+    const auto at_points = [&](const Tape& tape, std::span<double* const> columns) {
+      evaluate_points(tape, all_u, all_v, columns, threads);
+    };
+    const TapeColumns first(surface.tangents, count, at_points);
+    const TapeColumns second(surface.curvatures, count, at_points);
     const std::size_t axis = along_u ? 0 : 1;
-    for (std::size_t i = 0; i < u.size() * v.size(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       const dvec3 position = first.vector(0, i);
       points.push_back({position, {}, {}});
-      places.emplace_back(u[i % u.size()], v[i / u.size()]);
+      places.emplace_back(all_u[i], all_v[i]);
       const dvec3 tangent = glm::normalize(first.vector(3 + 3 * axis, i));
       const dvec3 bend = second.vector(6 * axis, i);
       const double across = glm::length(bend - glm::dot(bend, tangent) * tangent);
@@ -301,11 +316,11 @@ Dips Probe::dips() const {
     if (singular_ends_u_[end]) dips.edges_u.push_back(corner.x);
     if (singular_ends_v_[end]) dips.edges_v.push_back(corner.y);
   }
-  for (std::size_t s = 0; s < samples_.size(); ++s) {
-    const std::size_t i = s % u_.size();
-    const std::size_t j = s / u_.size();
-    if (is_dip(true, i, j)) dips.along_v.emplace_back(u_[i], v_[j]);
-    if (is_dip(false, j, i)) dips.along_u.emplace_back(u_[i], v_[j]);
+  for (std::size_t j = 0; j < v_.size(); ++j) {
+    for (std::size_t i = 0; i < u_.size(); ++i) {
+      if (is_dip(true, i, j)) dips.along_v.emplace_back(u_[i], v_[j]);
+      if (is_dip(false, j, i)) dips.along_u.emplace_back(u_[i], v_[j]);
+    }
   }
   return dips;
 }
