@@ -4,6 +4,9 @@
 
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "base/file.h"
 #include "base/image_png.h"
@@ -163,17 +166,29 @@ TEST_F(Comparison, TellsTheSizesIfTheyDiffer) {
 }
 
 TEST_F(Comparison, LeavesNoOlderResultsWhereItFailsEarly) {
-  for (const std::string broken :
-       {"z=foo --reference ref.png", "torus --reference none.png", "z=sqrt(-1) --reference ref.png",
-        "mobius --strict --reference ref.png", "none.toml --reference ref.png",
-        "torus --reference ref.png --threshold 2", "torus --grid q --reference ref.png"}) {
+  const std::vector<std::pair<std::string, std::string>> broken = {
+      {"z=foo", "ref.png"},
+      {"none.toml", "ref.png"},
+      {"z=sqrt(-1)", "ref.png"},
+      {"mobius --strict", "ref.png"},
+      {"torus --threshold 2", "ref.png"},
+      {"torus --grid q", "ref.png"},
+      {"torus --nonsense", "ref.png"},
+      {"torus --renderer q", "ref.png"},
+      {"torus -o none/a.png", "ref.png"},
+      {"torus --watch", "ref.png"},
+      {"check torus", "ref.png"},
+      {"torus", "none.png"},
+      {"torus", "text.png"},
+  };
+  for (const auto& [words, reference] : broken) {
     leave_older_results();
-    std::ofstream(path("none.png.diff.png")) << "older";
-    const std::string reference = contains(broken, "none.png") ? "none.png" : "ref.png";
-    const Outcome run = compares(broken + " --report report.json", reference);
-    EXPECT_NE(run.status, 0) << broken;
-    EXPECT_FALSE(exists(reference + ".diff.png")) << broken;
-    EXPECT_TRUE(!exists("report.json") || read_file(path("report.json")) != "older") << broken;
+    std::ofstream(path("text.png")) << "no picture";
+    std::ofstream(path(reference + ".diff.png")) << "older";
+    const Outcome run = compares(words + " --report report.json", reference);
+    EXPECT_NE(run.status, 0) << words;
+    EXPECT_FALSE(exists(reference + ".diff.png")) << words;
+    EXPECT_TRUE(!exists("report.json") || read_file(path("report.json")) != "older") << words;
   }
 }
 

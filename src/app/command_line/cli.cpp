@@ -64,9 +64,10 @@ class Splitter {
   Splitter(int argc, const char* const* argv, CommandLine& line)
       : rest_(argv + std::min(argc, 1), argv + argc), line_(line) {}
 
+  /// After an error it goes on behind the mistake.
   void split() {
     bool only_arguments = false;
-    while (at_ < rest_.size()) {
+    while (!is_done()) {
       const std::string argument = rest_[at_++];
       if (is_place(argument)) {
         line_.segments.back().arguments.push_back(argument);
@@ -83,6 +84,8 @@ class Splitter {
       }
     }
   }
+
+  bool is_done() const { return at_ == rest_.size(); }
 
  private:
   /// The word after `point` is three numbers, of which the first may have a minus.
@@ -213,7 +216,7 @@ void check_segments(const CommandLine& line) {
   }
 }
 
-/// Reference and report, which are known also where something else is wrong.
+/// Reference and report, which are known wherever something else is wrong.
 void set_paths(CommandLine& line) {
   for (const auto& [option, text] : line.given) {
     if (option->name == "reference" || option->name == "report") {
@@ -255,13 +258,17 @@ void parse_command_line(int argc, const char* const* argv, CommandLine& line) {
     line.help_topics = std::move(*topics);
     return;
   }
-  try {
-    Splitter(argc, argv, line).split();
-  } catch (const Error&) {
-    set_paths(line);
-    throw;
+  Splitter splitter(argc, argv, line);
+  std::optional<Error> mistake;
+  while (!splitter.is_done()) {
+    try {
+      splitter.split();
+    } catch (const Error& error) {
+      if (!mistake) mistake = error;
+    }
   }
   set_paths(line);
+  if (mistake) throw Error(*mistake);
   if (argc > 1) {
     if (const Verb* const verb = find_verb(argv[1])) {
       line.command = verb->command;
