@@ -86,6 +86,24 @@ TEST_F(Workplace, WritesFilesOfAnyFormat) {
   ASSERT_TRUE(take("gl", "gl.png")) << "the first of its names";
 }
 
+TEST_F(Workplace, GoesOnWhileAPictureIsSaved) {
+  write("slow", "#!/bin/sh\ncat >/dev/null\nuntil [ -e go ]; do sleep 0.01; done\ntouch \"$3\"\n");
+  std::filesystem::permissions(path("slow"), std::filesystem::perms::owner_all);
+  ViewerSetup setup = setup_of(entry("torus"));
+  setup.program = path("slow");
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(rests(viewer));
+  type(viewer, "s");
+  type(viewer, "g");
+  EXPECT_FALSE(viewer.model().view().grid);
+  ASSERT_TRUE(until(viewer, [&] { return viewer.drawing().is_at_rest(); }));
+  EXPECT_FALSE(std::filesystem::exists("torus.png"));
+  write("go", "");
+  ASSERT_TRUE(until(viewer, [&] { return viewer.message() == "wrote torus.png"; }))
+      << viewer.message();
+  EXPECT_TRUE(std::filesystem::exists("torus.png"));
+}
+
 TEST_F(Workplace, SavesAPageOfWhatItShows) {
   Viewer viewer(setup_of(entry("torus")));
   ASSERT_TRUE(rests(viewer));

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <ostream>
 #include <tuple>
 
+#include "base/file.h"
 #include "export/formats/load_scene.h"
+#include "scene/toml/scene_file.h"
 
 namespace saddle {
 namespace {
@@ -51,6 +54,27 @@ std::vector<FoundFile> find_files(const std::string& typed) {
   });
   found.resize(std::min(found.size(), kMostFiles));
   return found;
+}
+
+std::filesystem::path free_file_name(const std::string& title, const std::string& extension) {
+  std::string stem;
+  for (const char c : title) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
+    stem += plain ? c : '-';
+  }
+  if (stem.empty()) stem = "saddle";
+  std::filesystem::path path = stem + extension;
+  for (int i = 2; std::filesystem::exists(path); ++i) {
+    path = stem + "-" + std::to_string(i) + extension;
+  }
+  return path;
+}
+
+std::filesystem::path save_scene(const Scene& scene) {
+  auto path = free_file_name(scene.title, ".toml");
+  const std::string text = write_scene(scene);
+  write_file_whole(path, [&](std::ostream& out) { out << text; });
+  return path;
 }
 
 }  // namespace saddle

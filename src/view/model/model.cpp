@@ -69,15 +69,12 @@ bool has_moving_numbers(const Scene& scene) {
 
 }  // namespace
 
-Tessellate tessellation_of(const ViewerSetup& setup) {
-  return setup.tessellate ? setup.tessellate : tessellate_for_picture(setup.threads);
-}
-
 Model::Model(ViewerSetup setup, std::function<void()> wake)
     : scene_(std::move(setup.scene)),
       reload_(std::move(setup.reload)),
       threads_(setup.threads),
-      worker_(tessellation_of(setup), std::move(wake)) {
+      worker_(setup.tessellate ? setup.tessellate : tessellate_for_picture(setup.threads),
+              std::move(wake)) {
   view_.table_up = scene_.camera.up;
   frame();
   request_meshes(Manner::PreviewFirst);

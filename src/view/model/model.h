@@ -36,9 +36,6 @@ struct ViewerSetup {
   Tessellate tessellate = {};  ///< for tests, in place of tessellate_for_picture()
 };
 
-/// How this viewer tessellates.
-Tessellate tessellation_of(const ViewerSetup& setup);
-
 class Model {
  public:
   using Clock = std::chrono::steady_clock;

@@ -9,7 +9,6 @@
 #include "export/formats/formats.h"
 #include "scene/toml/scene_file.h"
 #include "view/model/files.h"
-#include "view/picture/saver.h"
 
 namespace saddle {
 namespace {

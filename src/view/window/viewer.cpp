@@ -57,7 +57,6 @@ Viewer::Viewer(ViewerSetup setup)
       panel_(setup.quiet, [this](Action action) { return can(action); }),
       start_shown_(setup.start),
       to_paint_(kSettlingFrames),
-      saver_(tessellation_of(setup), Window::wake),
       exporter_(setup.program, setup.threads, Window::wake),
       model_(std::move(setup), Window::wake) {
   if (start_shown_) begin_thumbnails();
@@ -112,7 +111,6 @@ void Viewer::react() {
     drawing_.take_meshes(model_);
   }
   if (const auto news = model_.take_news()) say(*news);
-  if (const auto news = saver_.pass()) say(*news);
   if (const auto news = exporter_.pass()) say(*news);
   model_.pass(Clock::now());
   look_at_file();
@@ -140,13 +138,13 @@ void Viewer::take_events() {
 /// A file that was asked for is waited for; who asks to end once more does not want to.
 bool Viewer::is_to_end() {
   if (window_.take_close_request()) act(Action::Quit);
-  return closing_ && (insisting_ || !is_writing());
+  return closing_ && (insisting_ || !exporter_.is_busy());
 }
 
 bool Viewer::is_at_rest() const {
   return to_paint_ == 0 && !window_.has_events() && !model_.is_meshing() && !model_.next_pass() &&
          (start_shown_ ? !thumbnails_ || thumbnails_->are_all_taken() : drawing_.is_at_rest()) &&
-         !is_writing();
+         !exporter_.is_busy();
 }
 
 void Viewer::print_times() const {

@@ -18,7 +18,6 @@
 #include "view/panel/start_page.h"
 #include "view/picture/drawing.h"
 #include "view/picture/exporter.h"
-#include "view/picture/saver.h"
 #include "view/picture/thumbnails.h"
 #include "view/window/window.h"
 
@@ -93,7 +92,6 @@ class Viewer {
   void tidy();
   bool may_lose_work();
   void tell_display_gone();
-  bool is_writing() const { return saver_.is_busy() || exporter_.is_busy(); }
   void look_at_file();
   dvec2 in_picture(const dvec2& place) const { return {place.x - panel_width(), place.y}; }
   bool is_over_picture(const Event& event) const;
@@ -153,7 +151,6 @@ class Viewer {
   std::string message_;
   Clock::time_point message_end_;
   // The last members: their threads wake the window.
-  Saver saver_;
   Exporter exporter_;
   Model model_;
 };

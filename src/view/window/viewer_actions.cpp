@@ -63,7 +63,7 @@ bool Viewer::act_on_window(Action action) {
       if (may_lose_work()) return true;
       insisting_ = closing_;
       closing_ = true;
-      if (is_writing()) say("writing a file; quit again to leave without it");
+      if (exporter_.is_busy()) say("writing a file; quit again to leave without it");
       return true;
     default:
       return false;
@@ -86,7 +86,8 @@ bool Viewer::act_on_files(Action action) {
       restore_work();
       return true;
     case Action::SavePicture:
-      saver_.save_picture(model_.scene_to_save());
+      exporter_.write_new(model_.scene_to_save(), ".png");
+      say("writing a picture");
       return true;
     case Action::SavePage:
       exporter_.write_new(model_.scene_to_save(), ".html");
