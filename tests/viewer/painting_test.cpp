@@ -31,6 +31,24 @@ int differing_pixels(const Image& a, const Image& b) {
   return count;
 }
 
+/// While it lives, each drawing takes longer than there is time for in a step.
+class SlowDrawing {
+ public:
+  SlowDrawing() {
+    use_ = glad_glUseProgram;
+    glad_glUseProgram = [](GLuint program) {
+      if (program == 0) std::this_thread::sleep_for(std::chrono::milliseconds(30));  // at its end
+      use_(program);
+    };
+  }
+  ~SlowDrawing() { glad_glUseProgram = use_; }
+  SlowDrawing(const SlowDrawing&) = delete;
+  SlowDrawing& operator=(const SlowDrawing&) = delete;
+
+ private:
+  static inline PFNGLUSEPROGRAMPROC use_ = nullptr;
+};
+
 /// The scene of see-through surfaces in a picture of this size.
 ViewerSetup see_through(int width, int height) {
   ViewerSetup setup;
@@ -168,6 +186,29 @@ TEST_F(Workplace, AnswersKeysBetweenParts) {
   EXPECT_TRUE(viewer.drawing().is_refining()) << "the help did not wait for the picture";
   EXPECT_GT(viewer.spent().frames, frames);
   EXPECT_TRUE(rests(viewer));
+}
+
+TEST_F(Workplace, DrawsItsPanelIntoNoPicture) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  type(viewer, "g");
+  ASSERT_TRUE(rests(viewer));
+  const Image before = viewer.drawing().read();
+  const SlowDrawing slow;
+  for (int i = 0; i < 4; ++i) type(viewer, "g");  // until it is drawn coarsely first
+  ASSERT_FALSE(viewer.drawing().is_at_rest());
+  Event any_key;
+  any_key.kind = Event::Kind::KeyDown;
+  any_key.place = {1, 1};
+  // The first of two keys is answered before the picture, the second after a part of it.
+  while (!viewer.drawing().is_at_rest()) {
+    for (int step = 0; step < 5 && !viewer.drawing().is_at_rest(); ++step) {
+      if (step >= 3) viewer.receive(any_key);
+      viewer.step();
+    }
+  }
+  ASSERT_TRUE(rests(viewer));
+  EXPECT_EQ(differing_pixels(viewer.drawing().read(), before), 0);
 }
 
 TEST_F(Workplace, CopiesOnlyWhatHasChangedToTheWindow) {

@@ -252,6 +252,7 @@ TEST_F(RandomHands, LeaveAPictureThatIsRightAndNothingBehind) {
       if (i % kEventsToRest != kEventsToRest - 1) continue;
       ASSERT_TRUE(rests(viewer, hand))
           << "stuck after " << i << " deeds of seed " << seed << ": " << describe(viewer);
+      while (!viewer.message().empty()) viewer.step();  // it covers the picture
       const Image picture = viewer.drawing().read();
       const Image afresh = drawn_afresh(viewer.model());
       ASSERT_TRUE(picture.rgba == afresh.rgba)

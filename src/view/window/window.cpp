@@ -14,6 +14,7 @@
 #include <imgui.h>
 
 #include "base/error.h"
+#include "render/gl/gl.h"
 #include "view/panel/colors.h"
 #include "view/window/draw_lists.h"
 
@@ -373,6 +374,7 @@ bool Window::is_panel_new() {
 
 std::vector<PixelRect> Window::end_panel() {
   ImDrawData& drawn = *ImGui::GetDrawData();
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);  // what was drawn last may have been in another one
   ImGui_ImplOpenGL3_RenderDrawData(&drawn);
   return boxes_of(drawn);
 }
