@@ -111,18 +111,22 @@ void Exporter::add(Job job) {
   if (waiting_.size() == 1) begin_next();
 }
 
-/// A process that cannot begin is told as one that fails.
-void Exporter::begin_next() {
-  const Job& job = waiting_.front();
-  const Export file = job.file();
+std::vector<std::string> Exporter::command_for(const Export& file) const {
   const std::string path = std::filesystem::absolute(file.path);  // no option, such as "-x.png"
   std::vector<std::string> command{program_, "-", "-o", path};
   if (file.size) {
     command.insert(command.end(), {"--size", formatted("%dx%d", file.size->u, file.size->v)});
   }
   if (threads_ > 0) command.insert(command.end(), {"--threads", std::to_string(threads_)});
+  return command;
+}
+
+/// A process that cannot begin is told as one that fails; so is a folder that is gone.
+void Exporter::begin_next() {
+  const Job& job = waiting_.front();
   try {
-    child_ = std::make_unique<Child>(command, "saddle");
+    const Export file = job.file();
+    child_ = std::make_unique<Child>(command_for(file), "saddle");
     worker_ = std::jthread([this, &job, file] { run(job.scene, file.path); });
   } catch (...) {
     news_ = caught_error().what();

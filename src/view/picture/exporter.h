@@ -66,6 +66,7 @@ class Exporter {
   };
 
   void add(Job job);
+  std::vector<std::string> command_for(const Export& file) const;
   void begin_next();
   void run(const std::string& scene, const std::filesystem::path& path);
 
