@@ -407,6 +407,10 @@ double Scope::constant(const std::string& name, const std::string& text, std::op
   return constant.value;
 }
 
+double Scope::value(NodeId node, const Place& place, std::optional<double> t) {
+  return impl_->value(node, {place.name, place.text, place.span}, t);
+}
+
 bool Scope::has_used_time() const {
   return impl_->has_used_time;
 }

@@ -71,7 +71,10 @@ class Scope {
   double constant(const std::string& name, const std::string& text,
                   std::optional<Span> part = std::nullopt, std::optional<double> t = std::nullopt);
 
-  /// A value of constant() depended on t.
+  /// constant() of a node that parse() gave for the formula at `place`.
+  double value(NodeId node, const Place& place, std::optional<double> t);
+
+  /// A value of constant() or value() depended on t.
   bool has_used_time() const;
 
   /// The roots with every parameter replaced by its value and t by `t`, but for those that are

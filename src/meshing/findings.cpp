@@ -226,26 +226,21 @@ class MeshFindings {
 
   /// How often the mesh was cut is no property of the surface: only the places are told.
   void take_cut(Kind kind, const char* what, std::size_t number, std::span<const dvec2> places,
-                std::span<const double> lines_u = {}, std::span<const double> lines_v = {}) {
+                const ParameterLines& lines) {
     if (places.empty()) return;
+    const ToldCuts cuts(places, lines, domain_);
     Finding& cut = warn(kind, std::string(what) + " and is cut there: " +
-                                  text_of_cuts(places, number > places.size(), lines_u, lines_v,
-                                               domain_, kToldDigits));
-    const std::vector<PlaceGroup> groups = grouped_places(places, domain_);
-    dvec2 low = groups.front().low;
-    dvec2 high = groups.front().high;
-    for (const PlaceGroup& group : groups) {
-      low = glm::min(low, group.low);
-      high = glm::max(high, group.high);
-    }
+                                  cuts.text(number > places.size(), kToldDigits));
+    const auto [low, high] = cuts.box();
     cut.place = {low, high};
   }
 
   void take_cuts() {
-    take_cut(Kind::Pole, "the surface goes to infinity", report_.pole_count, report_.poles);
+    take_cut(Kind::Pole, "the surface goes to infinity", report_.pole_count, report_.poles,
+             report_.pole_lines);
     const auto& torn = report_.without_limit;
     take_cut(Kind::Jump, "the surface jumps", report_.jump_count - torn.size(),
-             std::span(report_.jumps).subspan(torn.size()), report_.jump_u, report_.jump_v);
+             std::span(report_.jumps).subspan(torn.size()), report_.jump_lines);
     if (torn.empty()) return;
     Finding& no_limit =
         warn(Kind::NoLimit, "the surface has no limit at " + place(torn.front(), domain_) +

@@ -110,10 +110,13 @@ std::vector<PlaceGroup> parts_of_line(std::span<const dvec2> places, const Place
   return parts;
 }
 
-/// Nothing for no more lines than are told one by one.
+/// The lines, if there are so many that they are counted.
+std::span<const double> counted(std::span<const double> lines) {
+  return lines.size() > kToldGroups ? lines : std::span<const double>();
+}
+
 std::string text_of_lines(std::span<const double> lines, int axis, const Domain& domain,
                           int digits) {
-  if (lines.size() <= kToldGroups) return "";
   const std::string& name = domain.names[static_cast<std::size_t>(axis)];
   std::string text =
       std::to_string(lines.size()) + " lines of constant " + name + ", " + name + " =";
@@ -125,17 +128,9 @@ std::string text_of_lines(std::span<const double> lines, int axis, const Domain&
   return text + "and others";
 }
 
-/// The places that are on none of these lines of constant parameter `axis`, if they are counted.
-std::vector<dvec2> beside_lines(std::span<const dvec2> places, std::span<const double> lines,
-                                int axis, const Domain& domain) {
-  std::vector<dvec2> beside(places.begin(), places.end());
-  if (lines.size() <= kToldGroups) return beside;
-  const double near = kNearly * extents(domain)[axis];
-  std::erase_if(beside, [&](const dvec2& place) {
-    const auto next = std::ranges::lower_bound(lines, place[axis] - near);
-    return next != lines.end() && *next <= place[axis] + near;
-  });
-  return beside;
+bool is_on(std::span<const double> lines, double place, double extent) {
+  const auto next = std::ranges::lower_bound(lines, place - kNearly * extent);
+  return next != lines.end() && *next <= place + kNearly * extent;
 }
 
 }  // namespace
@@ -224,19 +219,6 @@ std::vector<PlaceGroup> grouped_places(std::span<const dvec2> places, const Doma
   return groups;
 }
 
-std::string text_of_cuts(std::span<const dvec2> places, bool has_others,
-                         std::span<const double> lines_u, std::span<const double> lines_v,
-                         const Domain& domain, int digits) {
-  std::string text = text_of_lines(lines_u, 0, domain, digits);
-  const std::string of_v = text_of_lines(lines_v, 1, domain, digits);
-  text += (text.empty() || of_v.empty() ? "" : "; ") + of_v;
-  const std::vector<dvec2> off =
-      beside_lines(beside_lines(places, lines_u, 0, domain), lines_v, 1, domain);
-  if (off.empty() && !text.empty()) return text;
-  return text + (text.empty() ? "" : "; ") +
-         text_of(grouped_places(off, domain), has_others, domain, digits);
-}
-
 std::string text_of(std::span<const PlaceGroup> groups, bool has_others, const Domain& domain,
                     int digits) {
   std::string text;
@@ -244,6 +226,61 @@ std::string text_of(std::span<const PlaceGroup> groups, bool has_others, const D
     text += (text.empty() ? "" : "; ") + group.text(domain, digits);
   }
   return text + (has_others || groups.size() > kToldGroups ? "; and others" : "");
+}
+
+ToldCuts::ToldCuts(std::span<const dvec2> places, const ParameterLines& lines, const Domain& domain)
+    : domain_(domain), lines_({counted(lines.u), counted(lines.v)}) {
+  const dvec2 extent = extents(domain);
+  std::vector<dvec2> beside(places.begin(), places.end());
+  std::erase_if(beside, [&](const dvec2& place) {
+    return is_on(lines_[0], place.x, extent.x) || is_on(lines_[1], place.y, extent.y);
+  });
+  groups_ = grouped_places(beside, domain);
+}
+
+std::optional<std::size_t> ToldCuts::points() const {
+  if (!lines_[0].empty() || !lines_[1].empty()) return std::nullopt;
+  return std::ranges::all_of(groups_, &PlaceGroup::is_point) ? std::optional(groups_.size())
+                                                             : std::nullopt;
+}
+
+std::array<dvec2, 2> ToldCuts::box() const {
+  const std::array<dvec2, 2> ends = {domain_.at(dvec2(0)), domain_.at(dvec2(1))};
+  dvec2 low(std::numeric_limits<double>::infinity());
+  dvec2 high = -low;
+  const auto add = [&](const dvec2& place) {
+    low = glm::min(low, place);
+    high = glm::max(high, place);
+  };
+  for (const PlaceGroup& group : groups_) {
+    add(group.low);
+    add(group.high);
+  }
+  for (const int axis : {0, 1}) {
+    const std::span<const double> lines = lines_[static_cast<std::size_t>(axis)];
+    if (lines.empty()) continue;
+    for (dvec2 end : ends) {
+      for (const double line : {lines.front(), lines.back()}) {
+        end[axis] = line;
+        add(end);
+      }
+    }
+  }
+  return {low, high};
+}
+
+std::string ToldCuts::text(bool has_others, int digits) const {
+  std::string text;
+  const auto tell = [&text](const std::string& more) {
+    text += (text.empty() || more.empty() ? "" : "; ") + more;
+  };
+  for (const int axis : {0, 1}) {
+    const std::span<const double> lines = lines_[static_cast<std::size_t>(axis)];
+    if (!lines.empty()) tell(text_of_lines(lines, axis, domain_, digits));
+  }
+  // Places that are not listed are on the lines, too.
+  if (!groups_.empty()) tell(text_of(groups_, has_others, domain_, digits));
+  return text;
 }
 
 }  // namespace saddle

@@ -1,12 +1,15 @@
 // Places of a domain, told together: lines of constant u or v, and boxes.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/vec.h"
+#include "mesh/model/mesh_report.h"
 #include "surface/surface.h"
 
 namespace saddle {
@@ -54,14 +57,27 @@ inline constexpr std::size_t kToldGroups = 6;
 /// Groups of the distinct places: lines first.
 std::vector<PlaceGroup> grouped_places(std::span<const dvec2> places, const Domain& domain);
 
-/// The text of grouped places. Lines of constant u or v from end to end of the range, where there
-/// are more than kToldGroups, are counted: "200 lines of constant u, u = -1, -0.9 and others".
-std::string text_of_cuts(std::span<const dvec2> places, bool has_others,
-                         std::span<const double> lines_u, std::span<const double> lines_v,
-                         const Domain& domain, int digits);
-
 /// The groups' texts with "; " between them. `has_others`: there are places beside these.
 std::string text_of(std::span<const PlaceGroup> groups, bool has_others, const Domain& domain,
                     int digits);
+
+/// Where a surface is cut, as it is told: lines from end to end of the range are counted where
+/// there are more than kToldGroups; places beside them are grouped.
+class ToldCuts {
+ public:
+  ToldCuts(std::span<const dvec2> places, const ParameterLines& lines, const Domain& domain);
+
+  /// The number of groups if they are all points, and no line is counted.
+  std::optional<std::size_t> points() const;
+  /// A box around all of them: its corners.
+  std::array<dvec2, 2> box() const;
+  /// "200 lines of constant u, u = -1, -0.9 and others; u = 0, v = 1:2".
+  std::string text(bool has_others, int digits) const;
+
+ private:
+  const Domain& domain_;
+  std::array<std::span<const double>, 2> lines_;  ///< that are counted, of constant u and of v
+  std::vector<PlaceGroup> groups_;
+};
 
 }  // namespace saddle

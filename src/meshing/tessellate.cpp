@@ -123,7 +123,7 @@ class ProportionateMesher {
         request_(first_request(scene, spec, purpose, max_triangles, threads)) {
     request_.tolerance = [this, tolerance = request_.tolerance](const Probe& probe) {
       around_ = probe.bounds();
-      positions_ = probe.positions();
+      positions_.assign(probe.positions().begin(), probe.positions().end());
       return tolerance(probe);
     };
   }
@@ -210,6 +210,7 @@ class ProportionateMesher {
     if (known.pole_count > mesh->report.pole_count) {
       mesh->report.poles = known.poles;
       mesh->report.pole_count = known.pole_count;
+      mesh->report.pole_lines = known.pole_lines;
     }
     return mesh;
   }
@@ -257,7 +258,8 @@ Domain name_parameters(const Surface& surface, MeshResult& mesh) {
   take_user_parameters(surface, mesh.mesh.uv);
   for (auto* const places : {&report.poles, &report.jumps, &report.without_limit})
     take_user_parameters(surface, *places);
-  report.jump_v.clear();  // where v was constant it is not any more
+  report.pole_lines.v.clear();  // where v was constant it is not any more
+  report.jump_lines.v.clear();
   for (ProofGap& place : report.proof_gaps) {
     std::array<dvec2, 4> corners = {
         place.low, {place.high.x, place.low.y}, place.high, {place.low.x, place.high.y}};
@@ -315,9 +317,8 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
   if (!surface.region.outputs.empty()) report.region = region_share(surface, threads);
   if (report.unexpected_fraction() > 0) report.exceeds_doubles = exceeds_doubles(surface, threads);
   const bool is_off = report.tolerance && report.max_error > *report.tolerance;
-  if (report.certified && is_off && report.worst_place) {
+  if (report.certified && is_off && report.worst_place)
     report.proof_gaps.push_back({GapReason::Off, *report.worst_place, *report.worst_place});
-  }
   report.certified = report.certified && !is_off;  // the proof allows 4 tolerances
   if (!report.certified && report.proof_gaps.empty()) {
     const Domain& d = surface.domain;
@@ -325,9 +326,8 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
     report.proof_gaps.push_back({why, {d.u0, d.v0}, {d.u1, d.v1}, 1});
   }
   if (thickness_of(scene, spec)) result.bends = sharpest_bends(surface, mesh, threads);
-  if (!spec.color.empty()) {
+  if (!spec.color.empty())
     result.color = color_as_asked(scene, spec, purpose, surface, result.mesh, threads);
-  }
   result.contours = contour_as_asked(scene, spec, purpose, result.prepared, result.mesh, threads);
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
   report.evaluations = surface.evaluations() + (is_stretched ? report.evaluations : 0);

@@ -72,8 +72,11 @@ struct VisiblePart {
 };
 
 VisiblePart visible_part(const Probe& probe, const std::optional<Bounds>& clip) {
-  std::vector<dvec3> positions = probe.positions();
+  const std::span<const dvec3> inside = probe.positions();
   const std::vector<dvec3> edges = probe.edge_positions();
+  std::vector<dvec3> positions;
+  positions.reserve(inside.size() + edges.size());
+  positions.assign(inside.begin(), inside.end());
   positions.insert(positions.end(), edges.begin(), edges.end());
   if (clip) std::erase_if(positions, [&](const dvec3& p) { return !clip->contains(p); });
   return {visible(probe, clip), std::move(positions)};

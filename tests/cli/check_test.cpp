@@ -196,12 +196,14 @@ TEST_F(CheckCommand, TellsSizesThatDoublesCannotHold) {
   EXPECT_TRUE(contains(none, "volume      too small for doubles\n")) << none;
 }
 
+/// What a description says in the line that begins with a word.
+std::string line_of(const std::string& text, const std::string& word) {
+  const std::size_t begin = text.find("  " + word + " ") + 14;
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
 TEST_F(CheckCommand, CountsLinesOfJumpsFromEndToEnd) {
-  const auto jumps = [&](const char* formula) {
-    const std::string text = saddle({"check", formula}).out;
-    const std::size_t begin = text.find("  jumps ") + 14;
-    return text.substr(begin, text.find('\n', begin) - begin);
-  };
+  const auto jumps = [&](const char* formula) { return line_of(words({formula}), "jumps"); };
   // The last one is at the end of the range.
   const char* const six = " = -0.99, -0.98, -0.97, -0.96, -0.95, -0.94 and others";
   EXPECT_EQ(jumps("z=mod(u*100,1)"), std::string("200 lines of constant u, u") + six);
@@ -210,6 +212,16 @@ TEST_F(CheckCommand, CountsLinesOfJumpsFromEndToEnd) {
             "8 lines of constant u, u = -0.75, -0.5, -0.25, 0, 0.25, 0.5 and others; "
             "within u = 0.9:0.999479, v = 0.1:1");
   EXPECT_EQ(jumps("z=sign(u)"), "u = 0, v = -1:1");
+}
+
+TEST_F(CheckCommand, CountsLinesOfPolesFromEndToEnd) {
+  const auto poles = [&](const char* formula) { return line_of(words({formula}), "poles"); };
+  const char* const six =
+      " = -0.989602, -0.958186, -0.92677, -0.895354, -0.863938, -0.832522 and others";
+  EXPECT_EQ(poles("z=tan(100*u)"), std::string("64 lines of constant u, u") + six);
+  EXPECT_EQ(poles("z=tan(100*v)"), std::string("64 lines of constant v, v") + six);
+  EXPECT_EQ(poles("z=1/u"), "u = 0, v = -1:1");
+  EXPECT_EQ(poles("z=1/(u^2+v^2)"), "1 place: u = 0, v = 0");
 }
 
 TEST_F(CheckCommand, SaysWhereNothingIsProvedAndWhy) {

@@ -240,7 +240,7 @@ std::vector<std::string> describe(const SurfaceReport& s, const Mesh& triangles)
     line("region", facts.where + ": " + percent(1 - s.mesh.region->outside) + " of the domain");
   }
   line("defined", defined(s, triangles));
-  line("poles", words::cuts(s.mesh.poles, s.mesh.pole_count, facts.domain));
+  line("poles", words::cuts(s.mesh.poles, s.mesh.pole_count, s.mesh.pole_lines, facts.domain));
   line("jumps", words::jumps(s.mesh, facts.domain));
   line("singular", words::singular(facts, s.bounds.diagonal()));
   line("seams", seams(s));

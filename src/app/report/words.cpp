@@ -273,25 +273,24 @@ std::string vector(const dvec3& v, double rounding) {
   return "(" + part(v.x) + ", " + part(v.y) + ", " + part(v.z) + ")";
 }
 
-std::string cuts(std::span<const dvec2> listed, std::size_t count, const Domain& domain,
-                 std::span<const double> lines_u, std::span<const double> lines_v) {
+std::string cuts(std::span<const dvec2> listed, std::size_t count, const ParameterLines& lines,
+                 const Domain& domain) {
   if (count == 0) return "none";
-  const std::vector<PlaceGroup> groups = grouped_places(listed, domain);
-  const bool is_points =
-      std::ranges::all_of(groups, [](const PlaceGroup& group) { return group.is_point(); });
-  return (is_points ? plural(groups.size(), "place") + ": " : "") +
-         text_of_cuts(listed, count > listed.size(), lines_u, lines_v, domain, kDigits);
+  const ToldCuts told(listed, lines, domain);
+  const std::optional<std::size_t> points = told.points();
+  return (points ? plural(*points, "place") + ": " : "") +
+         told.text(count > listed.size(), kDigits);
 }
 
 std::string jumps(const MeshReport& report, const Domain& domain) {
   const std::size_t torn = report.without_limit.size();
-  if (torn == 0) return cuts(report.jumps, report.jump_count, domain, report.jump_u, report.jump_v);
+  if (torn == 0) return cuts(report.jumps, report.jump_count, report.jump_lines, domain);
   const std::string text =
       "no limit at " +
       text_of(one_by_one(report.without_limit, indices_of(torn)), false, domain, kDigits);
   if (report.jump_count == torn) return text;
   const auto others = std::span(report.jumps).subspan(torn);
-  return cuts(others, report.jump_count - torn, domain, report.jump_u, report.jump_v) + "; " + text;
+  return cuts(others, report.jump_count - torn, report.jump_lines, domain) + "; " + text;
 }
 
 std::string singular(const Facts& facts, double diagonal) {

@@ -36,9 +36,9 @@ std::string proved(const ValueRange& range, double rounding);
 std::string vector(const dvec3& v, double rounding);
 
 /// Where cuts are: "none", lines of constant u or v, and boxes around other places; single places
-/// are counted. `count`: with those that are not listed.
-std::string cuts(std::span<const dvec2> listed, std::size_t count, const Domain& domain,
-                 std::span<const double> lines_u = {}, std::span<const double> lines_v = {});
+/// are counted. `count`: with those that are not listed; `lines`: of them, from end to end.
+std::string cuts(std::span<const dvec2> listed, std::size_t count, const ParameterLines& lines,
+                 const Domain& domain);
 
 /// Where a surface jumps, as cuts(), and at which points it has no limit.
 std::string jumps(const MeshReport& report, const Domain& domain);

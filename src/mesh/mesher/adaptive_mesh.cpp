@@ -50,31 +50,41 @@ class PlaceList {
   std::set<std::array<double, 2>> seen_;
 };
 
-/// Lines of one parameter on whose whole length jumps lie across sides of leaves.
-class LinesOfJumps {
+/// Lines of constant u or v that cut the sides of leaves across them from end to end.
+class LinesOfCuts {
  public:
-  /// `across`: the line's parameter; `along`: the other one, of a place on it.
-  void add(double across, double along) { places_.emplace_back(across, along); }
+  /// Adds a cut of a side that goes from `first` to `last`.
+  void add(const dvec2& cut, const dvec2& first, const dvec2& last) {
+    if (first.y == last.y) across_u_.emplace_back(cut.x, cut.y);
+    if (first.x == last.x) across_v_.emplace_back(cut.y, cut.x);
+  }
 
-  /// The lines with places at both ends, `first` and `last`. `range`: of their parameter.
-  std::vector<double> from_end_to_end(double range, double first, double last) {
-    std::ranges::sort(places_);
+  /// The lines with cuts at both ends.
+  ParameterLines from_end_to_end(const Grid& grid) {
+    return {lines(across_u_, grid.range.x, grid.v), lines(across_v_, grid.range.y, grid.u)};
+  }
+
+ private:
+  using Cuts = std::vector<std::pair<double, double>>;  // parameters of the line, and on it
+
+  /// `range`: of the lines' parameter; `along`: the grid's values of the other one.
+  static std::vector<double> lines(Cuts& cuts, double range, std::span<const double> along) {
+    std::ranges::sort(cuts);
     std::vector<double> lines;
-    for (auto begin = places_.begin(); begin != places_.end();) {
+    for (auto begin = cuts.begin(); begin != cuts.end();) {
       const double limit = begin->first + kNearly * std::fabs(range);
-      const auto end = std::find_if(begin, places_.end(),
-                                    [limit](const auto& place) { return place.first > limit; });
+      const auto end =
+          std::find_if(begin, cuts.end(), [limit](const auto& cut) { return cut.first > limit; });
       const auto is_at = [&](double at) {
-        return std::any_of(begin, end, [at](const auto& place) { return place.second == at; });
+        return std::any_of(begin, end, [at](const auto& cut) { return cut.second == at; });
       };
-      if (is_at(first) && is_at(last)) lines.push_back(begin->first);
+      if (is_at(along.front()) && is_at(along.back())) lines.push_back(begin->first);
       begin = end;
     }
     return lines;
   }
 
- private:
-  std::vector<std::pair<double, double>> places_;
+  Cuts across_u_, across_v_;
 };
 
 /// Fills a report from the leaves of a mesh.
@@ -87,10 +97,14 @@ class Finisher {
   void list_poles(const Surface& surface, unsigned threads, MeshReport& report) const {
     PlaceList poles(grid_.range, report.poles, report.pole_count);
     std::vector<dvec2> ends;
+    LinesOfCuts lines;
     for (const std::array<dvec2, 2>& pole : tree_.edges().poles(tree_.mesh())) {
-      poles.add(0.5 * (pole[0] + pole[1]));  // no double lies between them
+      const dvec2 place = 0.5 * (pole[0] + pole[1]);  // no double lies between them
+      poles.add(place);
+      lines.add(place, pole[0], pole[1]);
       ends.insert(ends.end(), pole.begin(), pole.end());
     }
+    report.pole_lines = lines.from_end_to_end(grid_);
     for_singularities(PointSingularity::Kind::Pole,
                       [&](const dvec2& uv, const PointSingularity& singularity) {
                         poles.add(uv);
@@ -134,16 +148,13 @@ class Finisher {
                         if (jumps.add(uv) && report.without_limit.size() < kMaxListed)
                           report.without_limit.push_back(uv);
                       });
-    std::array<LinesOfJumps, 2> lines;
+    LinesOfCuts lines;
     for_features(FeatureKind::Jump, [&](const Side& side, const EdgeFeature& cut) {
       const dvec2& uv = grid_.mesh.uv[cut.beside_first];
       jumps.add(uv);
-      const dvec2 along = grid_.mesh.uv[side[1]] - grid_.mesh.uv[side[0]];
-      if (along.x == 0) lines[1].add(uv.y, uv.x);
-      if (along.y == 0) lines[0].add(uv.x, uv.y);
+      lines.add(uv, grid_.mesh.uv[side[0]], grid_.mesh.uv[side[1]]);
     });
-    report.jump_u = lines[0].from_end_to_end(grid_.range.x, grid_.v.front(), grid_.v.back());
-    report.jump_v = lines[1].from_end_to_end(grid_.range.y, grid_.u.front(), grid_.u.back());
+    report.jump_lines = lines.from_end_to_end(grid_);
     for (const auto& [vertex, beside] : beside_lines()) {
       if (beside.diagonal() > *report.tolerance) jumps.add(grid_.mesh.uv[vertex]);
     }

@@ -32,6 +32,11 @@ struct SingularInSpace {
   bool is_isolated = false;         ///< on no curve of such points
 };
 
+/// Lines of constant u and of constant v, in order.
+struct ParameterLines {
+  std::vector<double> u, v;
+};
+
 /// Findings, errors and costs of a mesh.
 struct MeshReport {
   /// The share that was left out although the surface should be there.
@@ -72,14 +77,13 @@ struct MeshReport {
   std::vector<double> singular_u, singular_v;
   std::vector<dvec2> poles;  ///< places where the surface was cut before infinity, at most 1000
   std::size_t pole_count = 0;
+  ParameterLines pole_lines;  ///< along which poles were found from end to end, by all their places
   /// A box around the last points before poles, as far as doubles go, and around vertices so far
   /// away that the mesh was not made (MeshRequest::stop).
   Bounds beside_poles;
   std::vector<dvec2> jumps;  ///< places of jumps, at most 1000
   std::size_t jump_count = 0;
-  /// Lines of constant u and of constant v along which jumps were found from end to end, by all of
-  /// their places, in order.
-  std::vector<double> jump_u, jump_v;
+  ParameterLines jump_lines;  ///< of jumps, likewise
   /// The first of the jumps: essential points, which the surface approaches differently from each
   /// side; at most 1000.
   std::vector<dvec2> without_limit;

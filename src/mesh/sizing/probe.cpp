@@ -95,6 +95,7 @@ Probe::Probe(const Surface& surface, unsigned threads)
   }
   if (component_)
     std::ranges::for_each(component_->positions, [&](const dvec3& p) { bounds_.add(p); });
+  list_positions();
   seams_ = find_seams(surface, bounds_.diagonal());
 }
 
@@ -120,6 +121,7 @@ void Probe::keep_within(const Bounds& box) {
     if (bounds_.high[k] > box.high[k]) kept.high[k] = box.high[k];
   }
   bounds_ = kept;
+  list_positions();
 }
 
 void Probe::sample_inside(const Surface& surface, unsigned threads) {
@@ -251,14 +253,13 @@ std::vector<dvec3> Probe::edge_positions() const {
   return positions;
 }
 
-std::vector<dvec3> Probe::positions() const {
-  std::vector<dvec3> positions;
-  if (component_) positions = component_->positions;
-  positions.reserve(positions.size() + samples_.size());
+void Probe::list_positions() {
+  positions_.clear();
+  if (component_) positions_ = component_->positions;
+  positions_.reserve(positions_.size() + samples_.size());
   for (const Sample& s : samples_) {
-    if (is_finite(s.position)) positions.push_back(s.position);
+    if (is_finite(s.position)) positions_.push_back(s.position);
   }
-  return positions;
 }
 
 dvec2 Probe::longest_lines() const {

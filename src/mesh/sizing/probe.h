@@ -64,7 +64,7 @@ class Probe {
   /// beyond which samples were forgotten.
   const Bounds& bounds() const { return bounds_; }
   /// The finite positions of samples, without those of edges; and of these.
-  std::vector<dvec3> positions() const;
+  std::span<const dvec3> positions() const { return positions_; }
   std::vector<dvec3> edge_positions() const;
   /// The lengths of the longest line of constant v and of the longest one of constant u, as far as
   /// samples are finite.
@@ -94,6 +94,7 @@ class Probe {
  private:
   void sample_inside(const Surface& surface, unsigned threads);
   void sample_edges(const Surface& surface, unsigned threads);
+  void list_positions();
   void add_to_bounds(const Surface& surface, std::span<const SurfacePoint> edges,
                      std::span<const dvec2> uv);
   /// |r_u x r_v| of the k-th sample from an edge on, along a column (of constant u) or a row.
@@ -107,6 +108,7 @@ class Probe {
   std::vector<double> u_, v_;
   Domain domain_;
   std::vector<Sample> samples_;
+  std::vector<dvec3> positions_;
   std::vector<EdgeSample> edges_along_u_, edges_along_v_;
   std::array<bool, 2> singular_ends_u_ = {};  // whether |r_u x r_v| is 0 all along u0, and u1
   std::array<bool, 2> singular_ends_v_ = {};

@@ -184,7 +184,7 @@ BoundCurve bind_curve(const Scene& scene, const CurveSpec& spec) {
   StrokeParser parser(graph, scene, "s", curve_definitions(scene, spec));
   const RangeText range("s", spec.s);
   const std::array<NodeId, 2> ends = parse_ends(parser.scope(), range);
-  const RangeEnds s = constant_ends(parser.scope(), range, scene.t);
+  const RangeEnds s = constant_ends(parser.scope(), range, ends, scene.t);
   result.from = s.min;
   result.to = s.max;
   Coordinates r{};

@@ -105,14 +105,14 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
   check_dependence(graph, range_u, ends_u, spec.parameters);
   const std::array<NodeId, 2> ends = parse_ends(scope, range_v);
   check_dependence(graph, range_v, ends, spec.parameters);
-  const RangeEnds u = constant_ends(scope, range_u, scene.t);
+  const RangeEnds u = constant_ends(scope, range_u, ends_u, scene.t);
   const bool leans = depends(graph, ends[0], kDependsU) || depends(graph, ends[1], kDependsU);
   if (leans && ends[0] == ends[1]) {
     throw Error(Status::Input, "the range of " + name_v + " is empty", range_v.place(),
                 "both ends are the same; they must differ, for example " + name_v + "=0:sin(" +
                     name_u + ")");
   }
-  const RangeEnds v = leans ? RangeEnds{0, 1} : constant_ends(scope, range_v, scene.t);
+  const RangeEnds v = leans ? RangeEnds{0, 1} : constant_ends(scope, range_v, ends, scene.t);
   result.domain = {u.min, u.max, v.min, v.max, spec.parameters};
   result.flip = spec.flip != runs_backwards(result.domain);
   const std::array<NodeId, 3> restricted = restricted_position(graph, scope, spec);

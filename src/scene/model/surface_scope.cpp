@@ -138,10 +138,11 @@ bool depends(const Graph& graph, NodeId node, Depends on) {
   return (graph[node].depends & on) != 0;
 }
 
-RangeEnds constant_ends(Scope& scope, const RangeText& range, double t) {
+RangeEnds constant_ends(Scope& scope, const RangeText& range, const std::array<NodeId, 2>& ends,
+                        double t) {
   std::array<double, 2> values{};
   for (std::size_t k = 0; k < 2; ++k) {
-    values[k] = scope.constant(range.name, range.text, range.ends[k], t);
+    values[k] = scope.value(ends[k], range.place(range.ends[k]), t);
     if (!std::isfinite(values[k])) {
       throw Error(Status::Input, "this end of the range is not a finite number",
                   range.place(range.ends[k]));

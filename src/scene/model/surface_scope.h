@@ -60,9 +60,10 @@ struct RangeEnds {
   double max = 0;
 };
 
-/// The ends at the time t. Throws Error (Input) for ends that depend on more than that, are not
-/// finite, or equal.
-RangeEnds constant_ends(Scope& scope, const RangeText& range, double t);
+/// The values of parsed ends at the time t. Throws Error (Input) for ends that depend on more than
+/// that, are not finite, or equal.
+RangeEnds constant_ends(Scope& scope, const RangeText& range, const std::array<NodeId, 2>& ends,
+                        double t);
 
 /// The formulas of a surface in u and v alone, and where they are drawn. Where the ends of v depend
 /// on u, the part of the way between them, 0 to 1, takes the place of v.
