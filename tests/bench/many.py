@@ -11,7 +11,7 @@ import tempfile
 
 import peers
 
-ROUNDS = 7
+ROUNDS = 12
 SPHERES = 300
 NODES = 10_000
 # Most times of the smaller scene's, each.

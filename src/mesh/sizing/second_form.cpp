@@ -31,9 +31,8 @@ std::vector<double> most_ask(std::vector<double>& asked, std::span<const std::si
   return sizing;
 }
 
-}  // namespace
-
-FormError form_error_of_cell(const SecondForm& bend, double h, double k) {
+/// Inline: it is most of the work of a sizing field.
+inline FormError form_error(const SecondForm& bend, double h, double k) {
   const double a = bend.L * h * h;
   const double b = std::fabs(bend.M * h * k);
   const double c = bend.N * k * k;
@@ -43,6 +42,12 @@ FormError form_error_of_cell(const SecondForm& bend, double h, double k) {
   const bool is_acute = std::min(std::fabs(a), std::fabs(c)) > b;
   const double circle = determinant > 0 && is_acute ? std::fabs(a * c) * diagonal / determinant : 0;
   return {0.125 * std::max(edges, circle), 0.125 * (std::fabs(a) + 2 * b + std::fabs(c))};
+}
+
+}  // namespace
+
+FormError form_error_of_cell(const SecondForm& bend, double h, double k) {
+  return form_error(bend, h, k);
 }
 
 double density_for(double bend) {
@@ -76,7 +81,7 @@ SizingField SampledForms::sizing(double rho, const SizingField* shape) {
     const auto& [L, M, N] = sample.bend;
     const double h = shape != nullptr ? shape->of_v[sample.row] : 1;
     const double k = shape != nullptr ? shape->of_u[sample.column] : rho;
-    const FormError cell = form_error_of_cell(sample.bend, h, k);
+    const FormError cell = form_error(sample.bend, h, k);
     // Parts of the bound along u and along v, scaled to the error.
     const double share = cell.bound > 0 ? cell.error / cell.bound : 1;
     asked_by_columns_[sample.in_column] = (std::fabs(L) + rho * std::fabs(M)) * share;
