@@ -98,6 +98,14 @@ class FacesAround {
   bool changes_ = false;
 };
 
+void add_kind(const EdgeFeature& feature, FeatureCount& count) {
+  count.has_cliffs = count.has_cliffs || feature.kind == FeatureKind::Cliff;
+  count.only_creases = count.only_creases && feature.kind == FeatureKind::Crease;
+  count.is_continuous = count.is_continuous && feature.is_continuous();
+  count.only_jumps =
+      count.only_jumps && (feature.is_continuous() || feature.kind == FeatureKind::Jump);
+}
+
 }  // namespace
 
 FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
@@ -125,11 +133,7 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
     if (is_at_corner(*feature, leaf, tree)) {
       ++(on_side_of_u ? count.at_ends_of_u : count.at_ends_of_v);
     }
-    count.has_cliffs = count.has_cliffs || feature->kind == FeatureKind::Cliff;
-    count.only_creases = count.only_creases && feature->kind == FeatureKind::Crease;
-    count.is_continuous = count.is_continuous && feature->is_continuous();
-    count.only_jumps =
-        count.only_jumps && (feature->is_continuous() || feature->kind == FeatureKind::Jump);
+    add_kind(*feature, count);
   });
   if (has_jumps) {
     const JumpLines lines(leaf, tree);
