@@ -147,7 +147,6 @@ class Compiler {
       const std::size_t i = used_[k];
       const Token& token = tokens_[i];
       const bool follows = k > 0 && used_[k - 1] + 1 == i;
-      const auto is_operator = [](const Token& t) { return t.kind == TokenKind::Operator; };
       if (token.kind == TokenKind::Component) {
         if (follows && tokens_[i - 1].kind == TokenKind::Component) continue;  // of one step
         components_.push_back(i);
@@ -160,14 +159,21 @@ class Compiler {
         add({is_call ? kCall : kOperand}, i);
         if (!is_call) operands_.push_back(i);
       } else {
-        const bool is_vector = token.kind == TokenKind::Open && brackets_.is_vector[i];
-        if (is_vector) add({kCall}, i);
-        // muparser would read a*-b's two operators as one
-        const bool is_second = follows && is_operator(token) && is_operator(tokens_[i - 1]);
-        add((is_second ? " " : "") + token.text, i);
-        if (token.kind == TokenKind::Close) close(i);
+        add_mark(i, follows);
       }
     }
+  }
+
+  /// An operator, a bracket or a comma. `follows`: the token before it is used, too.
+  void add_mark(std::size_t i, bool follows) {
+    const Token& token = tokens_[i];
+    const auto is_operator = [](const Token& t) { return t.kind == TokenKind::Operator; };
+    const bool is_vector = token.kind == TokenKind::Open && brackets_.is_vector[i];
+    if (is_vector) add({kCall}, i);
+    // muparser would read a*-b's two operators as one
+    const bool is_second = follows && is_operator(token) && is_operator(tokens_[i - 1]);
+    add((is_second ? " " : "") + token.text, i);
+    if (token.kind == TokenKind::Close) close(i);
   }
 
   void close(std::size_t index) {

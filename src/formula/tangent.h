@@ -27,35 +27,51 @@ constexpr int kSupportDepth = 8;
 
 /// Where an expression may be other than 0, as a condition, if it is 0 by structure around places
 /// elsewhere: max(0, u)*v where u > 0. Nothing if it is so nowhere.
-inline std::optional<Expression> support(Expression of, int depth = kSupportDepth) {
+inline std::optional<Expression> support(Expression of, int depth = kSupportDepth);
+
+/// The support of a minimum or maximum with 0.
+inline std::optional<Expression> support_of_extreme(Expression of) {
+  const Node node = (*of.graph)[of.id];  // a copy: conditions grow the arena
+  for (const std::size_t k : {0U, 1U}) {
+    if (!of.graph->is_constant(node.args[k], 0)) continue;
+    const Expression zero = {of.graph, node.args[k]};
+    const Expression other = {of.graph, node.args[1 - k]};
+    return node.op == Op::Max ? zero < other : other < zero;
+  }
+  return std::nullopt;
+}
+
+/// The support of a choice of which a branch is 0.
+inline std::optional<Expression> support_of_choice(Expression of, int depth) {
   Graph* const graph = of.graph;
-  const Node node = (*graph)[of.id];  // a copy: conditions grow the arena
+  const Node node = (*graph)[of.id];
+  const bool is_first = graph->is_constant(node.args[2], 0);
+  if (!is_first && !graph->is_constant(node.args[1], 0)) return std::nullopt;
+  const Expression condition = {graph, node.args[0]};
+  const Expression taken = is_first ? condition : make(Op::Equal, condition, of.of(0));
+  const auto within = support({graph, node.args[is_first ? 1 : 2]}, depth);
+  return within ? make(Op::And, taken, *within) : taken;
+}
+
+inline std::optional<Expression> support(Expression of, int depth) {
+  Graph* const graph = of.graph;
+  const Node node = (*graph)[of.id];
   if (depth == 0) return std::nullopt;
-  const auto argument = [&](std::size_t k) { return Expression{graph, node.args[k]}; };
-  const auto of_argument = [&](std::size_t k) { return support(argument(k), depth - 1); };
+  const auto of_argument = [&](std::size_t k) { return support({graph, node.args[k]}, depth - 1); };
   switch (node.op) {
     case Op::Min:
     case Op::Max:
-      for (const std::size_t k : {0U, 1U}) {
-        if (!graph->is_constant(node.args[k], 0)) continue;
-        const Expression other = argument(1 - k);
-        return node.op == Op::Max ? argument(k) < other : other < argument(k);
-      }
-      return std::nullopt;
+      return support_of_extreme(of);
     case Op::Neg:
     case Op::Sqrt:
     case Op::Div:
       return of_argument(0);
-    case Op::Pow:
-      return graph->is_constant(node.args[1]) && (*graph)[node.args[1]].value > 0 ? of_argument(0)
-                                                                                  : std::nullopt;
-    case Op::Select: {
-      const bool is_first = graph->is_constant(node.args[2], 0);
-      if (!is_first && !graph->is_constant(node.args[1], 0)) return std::nullopt;
-      const Expression taken = is_first ? argument(0) : make(Op::Equal, argument(0), of.of(0));
-      const auto within = of_argument(is_first ? 1 : 2);
-      return within ? make(Op::And, taken, *within) : taken;
+    case Op::Pow: {
+      const bool keeps_zero = graph->is_constant(node.args[1]) && (*graph)[node.args[1]].value > 0;
+      return keeps_zero ? of_argument(0) : std::nullopt;
     }
+    case Op::Select:
+      return support_of_choice(of, depth - 1);
     case Op::Mul: {
       const auto first = of_argument(0);
       const auto second = of_argument(1);

@@ -29,6 +29,12 @@ std::optional<Bounds> clip_of(const Scene& scene, const MeshResult& mesh) {
   return scene.clip.box ? scene.clip.box : mesh.report.clip;
 }
 
+std::string list(const std::vector<double>& levels) {
+  std::string text;
+  for (const double level : levels) text += (text.empty() ? "" : ", ") + number(level);
+  return text;
+}
+
 }  // namespace
 
 ColorReport color_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
@@ -109,11 +115,6 @@ std::vector<Finding> color_findings(const Mesh& mesh, const ColorReport& report)
 
 std::vector<Finding> contour_findings(const SurfaceSpec& spec,
                                       std::span<const ContourReport> reports) {
-  const auto list = [](const std::vector<double>& levels) {
-    std::string text;
-    for (const double level : levels) text += (text.empty() ? "" : ", ") + number(level);
-    return text;
-  };
   std::vector<Finding> findings;
   for (std::size_t i = 0; i < reports.size(); ++i) {
     const std::string lines = "the contours of " + spec.contours[i].expression;

@@ -90,13 +90,14 @@ void add_findings(const SolidReport& solid, const Domain& domain, std::vector<Fi
                             "; the largest that does not is " + told(solid.largest_thickness),
                         true, solid.largest_thickness, "length", Finding::Place{at, at}});
   }
-  const std::size_t crossings = solid.facts.crossings;
-  if (crossings == 0) return;
-  const std::string pairs = crossings == 1 ? "1 pair" : std::to_string(crossings) + " pairs";
+  const auto& [count, are_all] = solid.facts.crossings;
+  if (count == 0) return;
+  const std::string least = are_all ? "" : "at least ";
+  const std::string pairs = count == 1 ? "1 pair" : std::to_string(count) + " pairs";
   findings.push_back({Finding::Kind::SolidCrosses,
-                      "the solid goes through itself: " + pairs +
+                      "the solid goes through itself: " + least + pairs +
                           " of triangles cross; slicers fill what is enclosed twice",
-                      true, static_cast<double>(crossings), "triangles"});
+                      true, static_cast<double>(count), "triangles"});
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ double room_beyond(const Bounds& points, const Bounds& bounds) {
   for (int k = 0; k < 3; ++k)
     excess[k] = std::max({points.low[k] - bounds.low[k], bounds.high[k] - points.high[k], 0.0});
   const double room = glm::length(excess);
-  return std::isnan(room) ? kInfinity : room;
+  if (std::isnan(room)) return kInfinity;
+  return room;
 }
 
 }  // namespace saddle

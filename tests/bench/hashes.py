@@ -89,7 +89,12 @@ def content(path, without):
         report.pop(key, None)
     for surface in report.get("surfaces", []):
         surface.pop(without, None)
-    return json.dumps(report, sort_keys=True).encode()
+    return nameless(json.dumps(report, sort_keys=True), path.parent)
+
+
+def nameless(text, folder):
+    """Messages name the files that are written, which are in a folder of another name each time."""
+    return text.replace(f"{folder}{os.sep}", "").encode()
 
 
 def short(data):
@@ -106,7 +111,7 @@ def hashes(program, without, name, way, arguments):
             command += ["-o", str(path)]
         run = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL,
                              check=False)
-        lines = [f"{short(run.stderr.encode())} {way} said {name}"]
+        lines = [f"{short(nameless(run.stderr, folder))} {way} said {name}"]
         for path in files:
             found = short(content(path, without)) if path.exists() else f"exit {run.returncode}"
             lines.append(f"{found:16} {way} {path.suffix[1:]} {name}")

@@ -69,11 +69,11 @@ class Splitter {
     bool only_arguments = false;
     while (!is_done()) {
       const std::string argument = rest_[at_++];
-      if (is_place(argument)) {
-        line_.segments.back().arguments.push_back(argument);
-      } else if (argument == "+") {
+      const bool is_no_option =
+          only_arguments || argument.size() < 2 || argument[0] != '-' || is_place(argument);
+      if (argument == "+") {
         line_.segments.emplace_back();
-      } else if (only_arguments || argument.size() < 2 || argument[0] != '-') {
+      } else if (is_no_option) {
         line_.segments.back().arguments.push_back(argument);
       } else if (argument == "--") {
         only_arguments = true;

@@ -176,7 +176,7 @@ Json solid(const SolidReport& s) {
   return {{"closed", s.facts.closed},
           {"shells", s.facts.shells},
           {"volume", finite_or_null(s.facts.volume)},
-          {"self_intersections", s.facts.crossings},
+          {"self_intersections", s.facts.crossings.pairs},
           {"thickness", finite_or_null(s.thickness)},
           {"largest_thickness", finite_or_null(s.largest_thickness)},
           {"at", place_or_null(s.at)}};

@@ -76,7 +76,7 @@ Error as_typed(const Error& error, const CommandLine& line) {
   if (!error.place().where.empty()) return error;
   Place place = error.place();
   place.name = typed_name(place, line);
-  const Error renamed(error.status(), error.what(), place, error.hint_lines());
+  Error renamed(error.status(), error.what(), place, error.hint_lines());
   const std::optional<std::string> name = undefined_name(error);
   if (!name || !is_in_formulas(place.text, line)) return renamed;
   return with_hint_line(renamed, *name + "=1 defines it");

@@ -293,8 +293,9 @@ void check_colors_are_formulas(const std::vector<GivenOption>& options,
   const auto has = [](const std::vector<Definition>& definitions, const std::string& name) {
     return std::ranges::find(definitions, name, &Definition::name) != definitions.end();
   };
-  for (const auto& [option, text] : options) {
-    if (option->name != "color" || surfaces.empty() || !looks_like_color(text)) continue;
+  for (const GivenOption& given : options) {
+    const std::string& text = given.text;
+    if (given.option->name != "color" || surfaces.empty() || !looks_like_color(text)) continue;
     const bool is_defined =
         has(scene.definitions, text) || std::ranges::any_of(surfaces, [&](const SurfaceSpec& spec) {
           return has(spec.definitions, text);
@@ -302,7 +303,7 @@ void check_colors_are_formulas(const std::vector<GivenOption>& options,
     if (is_defined) continue;
     const std::string word = text.starts_with('#') ? "'" + text + "'" : text;
     throw Error(Status::Input, "this is a colour, not a formula",
-                {dashed(*option), text, {0, text.size()}},
+                {dashed(*given.option), text, {0, text.size()}},
                 "a surface has two sides: --front " + word + " --back " + word);
   }
 }

@@ -40,7 +40,7 @@ bool SceneMeshes::warn() const {
 }
 
 std::vector<std::size_t> SceneMeshes::update(const Scene& scene, const std::string& frame) {
-  const std::vector<std::size_t> updated = surfaces_to_mesh(scene);
+  std::vector<std::size_t> updated = surfaces_to_mesh(scene);
   std::vector<Made> made(updated.size());
   const unsigned threads = threads_ > 0 ? threads_ : available_threads();
   const bool side_by_side = updated.size() >= kSurfacesPerThread * threads;

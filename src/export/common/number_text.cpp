@@ -5,6 +5,7 @@
 // fewer, and powers of two, whose neighbours are not as far from both sides, are std::to_chars'.
 #include "export/common/number_text.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -154,7 +155,7 @@ char* write_float(char* begin, float x) {
     put_eight(begin + before + 1, rest >> 8 * (before - 1));
     return begin + 1 + kDigits - usual->zeros;
   }
-  std::memcpy(begin, "0.00", 4);
+  std::copy_n("0.00", 4, begin);
   begin += 2 - before;
   *begin = first;
   put_eight(begin + 1, rest);

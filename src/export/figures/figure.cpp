@@ -72,6 +72,7 @@ class FigureMaker {
   std::vector<dvec3> places(const Instance& instance, const std::vector<std::uint32_t>& chain,
                             const auto& positions) const {
     std::vector<dvec3> result;
+    result.reserve(chain.size());
     for (const std::uint32_t i : chain) {
       result.emplace_back(instance.to_world * glm::dvec4(positions[i], 1));
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -143,6 +144,16 @@ bool PictureDepths::is_hidden(const dvec3& at) {
   return false;
 }
 
+/// Where, between two shares of a way, its points begin to be hidden or end being so.
+double PictureDepths::end_of_part(const dvec3& from, const dvec3& way,
+                                  std::array<double, 2> between, bool was_hidden) {
+  for (int halving = 0; halving < kHalvings; ++halving) {
+    const double middle = std::midpoint(between[0], between[1]);
+    between[is_hidden(from + way * middle) == was_hidden ? 0 : 1] = middle;
+  }
+  return std::midpoint(between[0], between[1]);
+}
+
 std::vector<std::vector<dvec2>> PictureDepths::visible(std::span<const dvec3> chain,
                                                        double nearer) {
   std::vector<std::vector<dvec2>> parts;
@@ -167,13 +178,9 @@ std::vector<std::vector<dvec2>> PictureDepths::visible(std::span<const dvec3> ch
     for (int k = 1; k <= steps; ++k) {
       const bool now_hidden = is_hidden(*from + way * (static_cast<double>(k) / steps));
       if (now_hidden != was_hidden) {
-        double before = static_cast<double>(k - 1) / steps;
-        double after = static_cast<double>(k) / steps;
-        for (int halving = 0; halving < kHalvings; ++halving) {
-          const double middle = (before + after) / 2;
-          (is_hidden(*from + way * middle) == was_hidden ? before : after) = middle;
-        }
-        add(*from + way * ((before + after) / 2));
+        const double before = static_cast<double>(k - 1) / steps;
+        const double after = static_cast<double>(k) / steps;
+        add(*from + way * end_of_part(*from, way, {before, after}, was_hidden));
         if (now_hidden) is_open = false;
         was_hidden = now_hidden;
       }

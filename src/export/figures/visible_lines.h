@@ -42,6 +42,8 @@ class PictureDepths {
   std::optional<dvec3> screen(const dvec3& point, double nearer) const;
   static bool hides(const Drawn& drawn, const dvec3& at);
   bool is_hidden(const dvec3& at);
+  double end_of_part(const dvec3& from, const dvec3& way, std::array<double, 2> between,
+                     bool was_hidden);
 
   FittedCamera camera_;
   dvec2 size_;

@@ -65,6 +65,20 @@ std::int64_t step_of(double value, double from, double to) {
   return std::lround(kSteps * share_of(value, from, to));
 }
 
+/// Chains of vertices, each by its distance from the one before in the order of the page.
+void write_lines(Bytes& bytes, const std::vector<std::vector<std::uint32_t>>& lines,
+                 const PageTriangles& order) {
+  bytes.varint(lines.size());
+  std::uint32_t last = 0;
+  for (const auto& line : lines) {
+    bytes.varint(line.size());
+    for (const std::uint32_t corner : line) {
+      bytes.signed_varint(static_cast<std::int64_t>(order.place[corner]) - last);
+      last = order.place[corner];
+    }
+  }
+}
+
 /// The differences from what the corners before let guess.
 void write_steps(Bytes& bytes, const std::vector<std::int64_t>& steps,
                  const std::vector<PageTriangles::Guess>& guesses) {
@@ -79,6 +93,7 @@ void write_steps(Bytes& bytes, const std::vector<std::int64_t>& steps,
 void write_places(Bytes& bytes, const std::vector<dvec3>& places, const Bounds& box) {
   for (int k = 0; k < 3; ++k) {
     std::vector<std::uint16_t> words;
+    words.reserve(places.size());
     for (const dvec3& p : places) words.push_back(word_of(p[k], box.low[k], box.high[k]));
     bytes.words(words);
   }
@@ -164,16 +179,7 @@ PageMesh page_mesh(const Scene& scene, const SurfaceSpec& spec, const Mesh& mesh
   write_places(bytes, positions, result.box);
   write_normals(bytes, normals);
 
-  bytes.varint(mesh.lines.size());
-  last = 0;
-  for (const auto& line : mesh.lines) {
-    bytes.varint(line.size());
-    for (const std::uint32_t corner : line) {
-      bytes.signed_varint(static_cast<std::int64_t>(order.place[corner]) - last);
-      last = order.place[corner];
-    }
-  }
-
+  write_lines(bytes, mesh.lines, order);
   std::vector<dvec3> on_contours;
   for (const auto& line : mesh.contours.lines) {
     for (const std::uint32_t vertex : line) on_contours.push_back(mesh.contours.position[vertex]);

@@ -240,8 +240,9 @@ class CurveMesher {
 
   /// Both halves of each part; opens the chords that a middle is too far from.
   std::vector<Part> halves(const std::vector<Part>& parts) {
-    std::vector<double> s;
-    for (const Part& part : parts) s.push_back(std::midpoint(part.from.s, part.to.s));
+    std::vector<double> s(parts.size());
+    std::ranges::transform(parts, s.begin(),
+                           [](const Part& part) { return std::midpoint(part.from.s, part.to.s); });
     const std::vector<CurvePoint> middles = sample(s);
     std::vector<Part> result;
     for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -66,8 +66,9 @@ CellTriangles::CellTriangles(std::span<const Triangle> triangles) : triangles_(t
 
 std::span<const CellTriangles::NumberedSide> CellTriangles::with_side(std::uint32_t a,
                                                                       std::uint32_t b) const {
-  const auto found = std::ranges::equal_range(sides_, std::array{a, b}, {}, &NumberedSide::ends);
-  return {found.begin(), found.end()};
+  const std::array ends = {a, b};
+  return {std::ranges::lower_bound(sides_, ends, {}, &NumberedSide::ends),
+          std::ranges::upper_bound(sides_, ends, {}, &NumberedSide::ends)};
 }
 
 std::vector<Triangle> CellTriangles::connected_to(std::uint32_t number) const {

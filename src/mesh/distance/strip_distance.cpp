@@ -39,7 +39,7 @@ std::vector<std::uint32_t> StripDistance::thin_ends(const Leaf& leaf, bool& is_g
   };
   const auto outside = std::ranges::find_if_not(vertices, is_inside);
   if (outside == vertices.end()) return {};
-  std::ranges::rotate(vertices, outside);
+  std::rotate(vertices.begin(), outside, vertices.end());
   std::vector<std::uint32_t> ends;
   bool was_inside = false;
   for (const std::uint32_t vertex : vertices) {
@@ -76,7 +76,7 @@ bool StripDistance::add(const Leaf& leaf, std::size_t number, std::span<const Tr
   }
   const dvec2 from = place(ends[0]);
   if (ends.size() == 1) {
-    const std::ptrdiff_t axis = std::min(from.x, 1 - from.x) < std::min(from.y, 1 - from.y) ? 0 : 1;
+    const int axis = std::min(from.x, 1 - from.x) < std::min(from.y, 1 - from.y) ? 0 : 1;
     Line side = {low, low + size};
     for (dvec2& at : side) at[axis] = low[axis] + (from[axis] < 0.5 ? 0 : size[axis]);
     dvec2 depth(0);
@@ -185,7 +185,8 @@ double StripDistance::distance_across_gap(const Across& across,
 void StripDistance::add_distances_on_strip(const Across& across, std::span<const dvec2> uv,
                                            std::span<const SurfacePoint> points,
                                            std::vector<LeafDistance>& found) const {
-  const auto [first, last] = across.line;
+  const dvec2 first = across.line[0];
+  const dvec2 last = across.line[1];
   const auto is_at_line_end = [&](const dvec2& at) {
     return is_at_end(at, {last, first}) || is_at_end(at, {first, last});
   };

@@ -30,8 +30,8 @@ dvec2 half_widths(const Surface& surface, const FeatureSearch::Distance& distanc
   std::vector<dvec2> uv;
   for (int axis = 0; axis < 2; ++axis) {
     dvec2 step(0);
-    for (step[axis] = 0.5 * size[axis];
-         uv.size() < std::size_t{2 * kHalvingsToNearly} * (axis == 0 ? 1 : 2); step *= 0.5) {
+    for (step[axis] = 0.5 * size[axis]; uv.size() < 2UL * kHalvingsToNearly * (axis == 0 ? 1 : 2);
+         step *= 0.5) {
       uv.push_back(top.uv - step);
       uv.push_back(top.uv + step);
     }
@@ -39,7 +39,7 @@ dvec2 half_widths(const Surface& surface, const FeatureSearch::Distance& distanc
   const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
   dvec2 widths = size;
   for (std::size_t k = 0; k < uv.size(); ++k) {
-    const int axis = k < std::size_t{2 * kHalvingsToNearly} ? 0 : 1;
+    const int axis = k < 2UL * kHalvingsToNearly ? 0 : 1;
     const double height = part.scale * distance(part, uv[k], points[k].position, 0);
     if (height < 0.5 * top.distance)
       widths[axis] = std::min(widths[axis], std::fabs(uv[k][axis] - top.uv[axis]));

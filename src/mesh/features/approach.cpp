@@ -172,8 +172,8 @@ void end_in_gaps(const Surface& surface, std::span<Line> lines, unsigned threads
       result.push_back(is_seen(box, p));
     return result;
   };
-  std::vector<dvec2> places;
-  for (const LinePart& line : open) places.push_back(line.part[1]);
+  std::vector<dvec2> places(open.size());
+  std::ranges::transform(open, places.begin(), [](const LinePart& line) { return line.part[1]; });
   const std::vector<bool> reaches_sheet = are_seen(places);
   std::size_t next = 0;
   std::erase_if(open, [&](const LinePart&) { return !reaches_sheet[next++]; });

@@ -59,7 +59,8 @@ struct CliffSearch {
 double unexplained(const Place& a, const Place& b) {
   const dvec3 by_slopes = 0.5 * (b.share - a.share) * (a.slope + b.slope);
   const double gap = glm::length(b.position - a.position - by_slopes);
-  return std::isfinite(gap) ? gap : kInfinity;
+  if (!std::isfinite(gap)) return kInfinity;
+  return gap;
 }
 
 /// Whether slopes at two places differ by so much that they may explain the way between them by

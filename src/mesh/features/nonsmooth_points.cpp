@@ -23,6 +23,7 @@ namespace {
 void keep_points(std::vector<ParameterBox>& boxes) {
   const std::vector<std::uint32_t> groups = groups_of(boxes);
   std::vector<std::pair<std::ptrdiff_t, std::uint32_t>> sizes;  // of the group of each box
+  sizes.reserve(groups.size());
   for (const std::uint32_t group : groups)
     sizes.emplace_back(std::ranges::count(groups, group), group);
   std::vector<std::pair<std::ptrdiff_t, std::uint32_t>> sorted = sizes;

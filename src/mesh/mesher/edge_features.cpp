@@ -166,7 +166,9 @@ class FeatureTracer {
 
   /// Whether a side is of the domain's edge.
   bool is_on_edge(const Side& side, const ParameterBox& domain) const {
-    const auto [a, b] = line(side);
+    const Line ends = line(side);
+    const dvec2 a = ends[0];
+    const dvec2 b = ends[1];
     const auto is_edge = [&](int axis) {
       return a[axis] == b[axis] && (a[axis] == domain.low[axis] || a[axis] == domain.high[axis]);
     };

@@ -470,10 +470,10 @@ class Subdivider {
 
 Subdivision subdivide(ActiveLeaves active, Oscillation known_oscillation, const CellLimits& limits,
                       const SubdivisionGoal& goal, const Grid& grid, CellTree& tree) {
-  auto& [leaves, counterexamples] = active;
+  const std::vector<Counterexample>& counterexamples = active.counterexamples;
   Subdivider subdivider(counterexamples, limits, goal, grid, std::move(known_oscillation), tree);
-  const std::size_t count = leaves.size();
-  Generation generation{std::move(leaves), std::vector<Origin>(count)};
+  const std::size_t count = active.leaves.size();
+  Generation generation{std::move(active.leaves), std::vector<Origin>(count)};
   for (Leaf& leaf : generation.leaves) leaf.followed_at = 0;
   for (std::uint32_t k = 0; k < counterexamples.size(); ++k) {
     generation.origins[counterexamples[k].cell].counterexamples.push_back(k);

@@ -96,8 +96,7 @@ std::size_t count_loops(const std::vector<IndexPair>& edges) {
   std::vector<std::uint32_t> points;
   for (const auto& [a, b] : edges) points.insert(points.end(), {a, b});
   std::ranges::sort(points);
-  const auto [rest, end] = std::ranges::unique(points);
-  points.erase(rest, end);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
   const auto place = [&](std::uint32_t point) {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(points, point) - points.begin());
   };

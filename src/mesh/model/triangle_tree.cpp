@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -12,8 +11,6 @@
 namespace saddle {
 namespace {
 
-/// Pairs of nodes that are looked at by one thread each, about.
-constexpr std::size_t kTasks = 1024;
 /// Nodes that are visited for a distance while a point of a short formula is computed.
 constexpr std::size_t kVisitsPerPoint = 4;
 
@@ -126,11 +123,10 @@ void TriangleTree::add_halves(const NodePair& pair, std::vector<NodePair>& pairs
   add(nodes_[halved].first, other);
 }
 
-std::size_t TriangleTree::count_pairs(const std::function<bool(std::uint32_t, std::uint32_t)>& test,
-                                      unsigned threads) const {
-  if (nodes_.empty()) return 0;
+/// Pairs that together are the pair of the root with itself: kInBatch of them or more, or leaves.
+std::vector<TriangleTree::NodePair> TriangleTree::pairs_of_tasks() const {
   std::vector<NodePair> tasks = {{0, 0}};
-  for (bool has_grown = true; has_grown && tasks.size() < kTasks;) {
+  for (bool has_grown = true; has_grown && tasks.size() < kInBatch;) {
     std::vector<NodePair> next;
     has_grown = false;
     for (const NodePair& pair : tasks) {
@@ -140,39 +136,60 @@ std::size_t TriangleTree::count_pairs(const std::function<bool(std::uint32_t, st
     }
     tasks = std::move(next);
   }
-  const auto box_of = [&](std::uint32_t triangle) {
-    Bounds box;
-    for (const std::uint32_t corner : triangles_[triangle]) box.add(position_[corner]);
-    return box;
-  };
-  const auto count_in = [&](const NodePair& pair) {
-    const Node& a = nodes_[pair.first];
-    const Node& b = nodes_[pair.second];
-    std::size_t count = 0;
-    for (std::uint32_t i = 0; i < a.count; ++i) {
-      const std::uint32_t t = order_[a.first + i];
-      const Bounds box = box_of(t);
-      for (std::uint32_t j = pair.first == pair.second ? i + 1 : 0; j < b.count; ++j) {
-        const std::uint32_t other = order_[b.first + j];
-        const Bounds its = box_of(other);
-        const bool meet = glm::all(glm::lessThanEqual(box.low, its.high)) &&
-                          glm::all(glm::lessThanEqual(its.low, box.high));
-        if (meet && test(t, other)) ++count;
+  return tasks;
+}
+
+Bounds TriangleTree::box_of(std::uint32_t triangle) const {
+  Bounds box;
+  for (const std::uint32_t corner : triangles_[triangle]) box.add(position_[corner]);
+  return box;
+}
+
+/// Tests the triangles of two leaves.
+void TriangleTree::test_leaves(const NodePair& pair, const PairTest& test, PairCount& count) const {
+  const Node& a = nodes_[pair.first];
+  const Node& b = nodes_[pair.second];
+  for (std::uint32_t i = 0; i < a.count; ++i) {
+    const std::uint32_t t = order_[a.first + i];
+    const Bounds box = box_of(t);
+    for (std::uint32_t j = pair.first == pair.second ? i + 1 : 0; j < b.count; ++j) {
+      const std::uint32_t other = order_[b.first + j];
+      const Bounds its = box_of(other);
+      const bool meet = glm::all(glm::lessThanEqual(box.low, its.high)) &&
+                        glm::all(glm::lessThanEqual(its.low, box.high));
+      if (!meet) continue;
+      ++count.tested;
+      if (test(t, other)) ++count.passed;
+    }
+  }
+}
+
+/// In rounds, after each of which all threads know how many tests were made: so the count is the
+/// same on any number of threads.
+PairCount TriangleTree::count_pairs(const PairTest& test, std::size_t most_tests,
+                                    unsigned threads) const {
+  if (nodes_.empty()) return {0, 0, true};
+  std::vector<std::vector<NodePair>> tasks;
+  for (const NodePair& pair : pairs_of_tasks()) tasks.push_back({pair});
+  std::vector<PairCount> counts(tasks.size());
+  PairCount total;
+  const auto has_ended = [](const std::vector<NodePair>& task) { return task.empty(); };
+  for (std::size_t round = 1; !total.is_complete; ++round) {
+    const std::size_t most = round * (most_tests / tasks.size() + 1);
+    parallel_chunks(tasks.size(), 1, threads, [&](std::size_t k, std::size_t) {
+      while (!tasks[k].empty() && counts[k].tested < most) {
+        const NodePair pair = tasks[k].back();
+        tasks[k].pop_back();
+        are_leaves(pair) ? test_leaves(pair, test, counts[k]) : add_halves(pair, tasks[k]);
       }
+    });
+    total = {0, 0, std::ranges::all_of(tasks, has_ended)};
+    for (const PairCount& count : counts) {
+      total.passed += count.passed;
+      total.tested += count.tested;
     }
-    return count;
-  };
-  std::atomic<std::size_t> total = 0;
-  parallel_chunks(tasks.size(), 1, threads, [&](std::size_t task, std::size_t) {
-    std::vector<NodePair> stack = {tasks[task]};
-    std::size_t count = 0;
-    while (!stack.empty()) {
-      const NodePair pair = stack.back();
-      stack.pop_back();
-      are_leaves(pair) ? void(count += count_in(pair)) : add_halves(pair, stack);
-    }
-    total += count;
-  });
+    if (total.tested >= most_tests) break;
+  }
   return total;
 }
 

@@ -17,6 +17,13 @@
 
 namespace saddle {
 
+/// Pairs of triangles that were tested, and those that passed.
+struct PairCount {
+  std::size_t passed = 0;
+  std::size_t tested = 0;
+  bool is_complete = false;  ///< all pairs were tested
+};
+
 class TriangleTree {
  public:
   /// The tree keeps references to its arguments.
@@ -28,10 +35,11 @@ class TriangleTree {
   /// The distance of the nearest triangle, or `known` if none is nearer.
   double distance(const dvec3& p, double known = std::numeric_limits<double>::infinity()) const;
 
-  /// The number of pairs of triangles whose boxes overlap and that pass a test, which several
-  /// threads (0: all) call.
-  std::size_t count_pairs(const std::function<bool(std::uint32_t, std::uint32_t)>& test,
-                          unsigned threads) const;
+  /// A test of two triangles, by their numbers.
+  using PairTest = std::function<bool(std::uint32_t, std::uint32_t)>;
+  /// Counts the pairs of triangles whose boxes overlap and that pass a test, which several threads
+  /// (0: all) call. Stops after `most_tests`, or less than twice as many.
+  PairCount count_pairs(const PairTest& test, std::size_t most_tests, unsigned threads) const;
 
  private:
   struct Node {
@@ -51,6 +59,9 @@ class TriangleTree {
   bool overlap(const NodePair& pair) const;
   bool are_leaves(const NodePair& pair) const;
   void add_halves(const NodePair& pair, std::vector<NodePair>& pairs) const;
+  std::vector<NodePair> pairs_of_tasks() const;
+  Bounds box_of(std::uint32_t triangle) const;
+  void test_leaves(const NodePair& pair, const PairTest& test, PairCount& count) const;
 
   std::span<const dvec3> position_;
   std::span<const Triangle> triangles_;

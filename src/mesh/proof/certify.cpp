@@ -224,12 +224,9 @@ class Certifier {
     descend();
   }
 
-  /// Looks for the worst places of some patches for whose boxes no work is left: halves a box of
-  /// each, and goes on with the half whose bounds are farther from its corner.
-  void descend() {
-    const std::size_t boxes = kPlacesOfDescents / budget_.of_box();
-    const std::size_t descents = std::min(kDescents, boxes / (2 * kHalvingsToNearly) + 1);
-    const std::size_t ranked = std::min({kInBatch, boxes, untested_.size()});
+  /// Bounds of up to `ranked` untested parts, negative and in tolerances, with the parts' numbers:
+  /// the largest bounds first.
+  std::vector<std::pair<double, std::size_t>> worst_untested(std::size_t ranked) {
     std::vector<std::pair<double, std::size_t>> worst;
     for (std::size_t k = 0; k < ranked; ++k) {
       const std::size_t number = k * untested_.size() / ranked;
@@ -240,6 +237,16 @@ class Certifier {
       worst.emplace_back(std::isnan(arc) ? 0 : -arc / patches_[part.patch].allowed, number);
     }
     std::ranges::sort(worst);
+    return worst;
+  }
+
+  /// Looks for the worst places of some patches for whose boxes no work is left: halves a box of
+  /// each, and goes on with the half whose bounds are farther from its corner.
+  void descend() {
+    const std::size_t boxes = kPlacesOfDescents / budget_.of_box();
+    const std::size_t descents = std::min(kDescents, boxes / (2UL * kHalvingsToNearly) + 1);
+    const std::size_t ranked = std::min({kInBatch, boxes, untested_.size()});
+    const auto worst = worst_untested(ranked);
     for (std::size_t k = 0; k < std::min(descents, worst.size()); ++k) {
       Part part = untested_[worst[k].second];
       const Bounds corner = bounds_over({part.box.low, part.box.low}).hull;

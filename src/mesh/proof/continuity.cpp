@@ -129,8 +129,8 @@ class Prover {
   /// Joins parts that touch. Jumps as near to each other as kSame are one: bounds are too
   /// wide for a proof on both sides of it.
   static std::vector<LinePart> joined(std::vector<LinePart> parts, const LinePart& whole) {
-    const auto [first, last] = whole.part;
-    const double longest = kSame * glm::distance(first, last);
+    const dvec2 first = whole.part[0];
+    const double longest = kSame * glm::distance(first, whole.part[1]);
     std::ranges::sort(parts, {},
                       [&](const LinePart& part) { return glm::distance(first, part.part[0]); });
     std::vector<LinePart> result;

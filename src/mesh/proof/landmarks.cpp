@@ -158,8 +158,8 @@ class LandmarkSearch {
           result_.around = {glm::min(result_.around.low, glm::min(low, high)),
                             glm::max(result_.around.high, glm::max(low, high))};
         }
-        if (of.other) add(k, *of.other);
         if (of.other) {
+          add(k, *of.other);
           const double step =
               glm::distance(points[*of.defined].position, points[*of.other].position);
           result_.highest_step = std::max(result_.highest_step, step);

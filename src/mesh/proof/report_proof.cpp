@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -53,7 +53,7 @@ void measure_gaps(const Surface& surface, const dvec2& largest_cell, double tole
     const dvec2 size = box.size();
     Bounds samples;
     const auto end = next + static_cast<std::ptrdiff_t>(places_in(gap).size());
-    for (const dvec3& p : std::ranges::subrange(std::exchange(next, end), end)) {
+    for (const dvec3& p : std::span(std::exchange(next, end), end)) {
       if (is_finite(p)) samples.add(p);
     }
     gap.share = size.x * size.y / (range.x * range.y);

@@ -99,7 +99,7 @@ void cut(const Triangle& t, const std::array<std::uint32_t, 3>& middle, Array<Tr
     first = polygon.size();
     polygon.push_back(middle[k]);
   }
-  std::ranges::rotate(polygon, polygon.begin() + static_cast<std::ptrdiff_t>(first));
+  std::rotate(polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(first), polygon.end());
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
     cut_ones.push_back({polygon[0], polygon[k], polygon[k + 1]});
   }

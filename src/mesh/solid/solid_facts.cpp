@@ -12,6 +12,10 @@
 namespace saddle {
 namespace {
 
+/// Pairs of triangles whose boxes meet are tested up to so many for each triangle. Solids that fold
+/// or cross along curves have fewer than 30.
+constexpr std::size_t kTestsPerTriangle = 64;
+
 using Corners = std::array<dvec3, 3>;
 
 /// 1 if d is on the side of the plane of a, b and c that they turn counter-clockwise for, -1 if it
@@ -74,7 +78,7 @@ double volume_of(const Mesh& solid) {
 
 }  // namespace
 
-std::size_t count_crossings(const Mesh& mesh, unsigned threads) {
+Crossings count_crossings(const Mesh& mesh, unsigned threads) {
   const auto corners_of = [&](const Triangle& t) {
     return Corners{mesh.position[t[0]], mesh.position[t[1]], mesh.position[t[2]]};
   };
@@ -87,13 +91,14 @@ std::size_t count_crossings(const Mesh& mesh, unsigned threads) {
     return false;
   };
   const TriangleTree tree(mesh);
-  return tree.count_pairs(
+  const PairCount count = tree.count_pairs(
       [&](std::uint32_t i, std::uint32_t j) {
         const Triangle& a = mesh.triangles[i];
         const Triangle& b = mesh.triangles[j];
         return !touch(a, b) && cross(corners_of(a), corners_of(b));
       },
-      threads);
+      kTestsPerTriangle * mesh.triangles.size(), threads);
+  return {count.passed, count.is_complete};
 }
 
 SolidFacts solid_facts(const Mesh& solid, unsigned threads) {

@@ -79,14 +79,39 @@ std::size_t count_cut_vertices(const Leaf& leaf, const CellTree& tree) {
   return count;
 }
 
+/// The faces of the clip box through which the surface leaves it along the sides of a leaf.
+class FacesAround {
+ public:
+  /// A side that is cut: the faces beyond which its two ends are.
+  void add(int from, int to) {
+    changes_ = changes_ || (last_ && *last_ != from);
+    if (!first_) first_ = from;
+    last_ = to;
+    ++sides_;
+  }
+  /// Whether a cut begins at another face than the one before ends at, or has one end only.
+  bool change() const { return changes_ || last_ != first_ || sides_ % 2 == 1; }
+
+ private:
+  std::optional<int> first_, last_;
+  std::size_t sides_ = 0;
+  bool changes_ = false;
+};
+
+void add_kind(const EdgeFeature& feature, FeatureCount& count) {
+  count.has_cliffs = count.has_cliffs || feature.kind == FeatureKind::Cliff;
+  count.only_creases = count.only_creases && feature.kind == FeatureKind::Crease;
+  count.is_continuous = count.is_continuous && feature.is_continuous();
+  count.only_jumps =
+      count.only_jumps && (feature.is_continuous() || feature.kind == FeatureKind::Jump);
+}
+
 }  // namespace
 
 FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
   FeatureCount count;
   std::vector<std::uint32_t> singular;
-  std::optional<int> first_exit;  // where the surface leaves the clip box before the first cut
-  std::optional<int> entry;       // and beyond the last one
-  std::size_t faces = 0;
+  FacesAround faces;
   bool has_jumps = false;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     add_singular_vertex(a, tree, singular);
@@ -102,29 +127,20 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
     const std::size_t features = has_more ? 2 : 1;
     count.has_more = count.has_more || has_more;
     count.features += features;
-    if (feature->kind == FeatureKind::Face) {
-      const int from = feature->exit_beside(a);
-      count.changes_face = count.changes_face || (entry && *entry != from);
-      if (!first_exit) first_exit = from;
-      entry = feature->exit_beside(b);
-      ++faces;
-    }
+    if (feature->kind == FeatureKind::Face)
+      faces.add(feature->exit_beside(a), feature->exit_beside(b));
     (on_side_of_u ? count.on_sides_of_u : count.on_sides_of_v) += features;
     if (is_at_corner(*feature, leaf, tree)) {
       ++(on_side_of_u ? count.at_ends_of_u : count.at_ends_of_v);
     }
-    count.has_cliffs = count.has_cliffs || feature->kind == FeatureKind::Cliff;
-    count.only_creases = count.only_creases && feature->kind == FeatureKind::Crease;
-    count.is_continuous = count.is_continuous && feature->is_continuous();
-    count.only_jumps =
-        count.only_jumps && (feature->is_continuous() || feature->kind == FeatureKind::Jump);
+    add_kind(*feature, count);
   });
   if (has_jumps) {
     const JumpLines lines(leaf, tree);
     count.lines = lines.count();
     count.has_more = count.has_more || (lines.have_strips() && count.lines == 0);
   }
-  count.changes_face = count.changes_face || entry != first_exit || faces % 2 == 1;
+  count.changes_face = faces.change();
   count.singular_points = singular.size();
   if (count.features > 2) count.at_vertices = count_cut_vertices(leaf, tree);
   return count;

@@ -116,6 +116,40 @@ class PlainCutter {
   std::unique_ptr<Cuts> found_ = std::make_unique_for_overwrite<Cuts>();
 };
 
+/// Puts the corner that a leaf's sub-polygon takes in place of a singular vertex.
+struct CornerChoice {
+  const SingularCorners& singular;
+  const CellTree& tree;
+
+  void operator()(std::size_t leaf, std::size_t sub_polygon, std::uint32_t& vertex) const {
+    if (!tree.geometry().is_regular(vertex)) vertex = singular.corner(leaf, sub_polygon, vertex);
+  }
+};
+
+/// Adds the triangles of a leaf's sub-polygons. Returns the number that their corners suggest.
+std::size_t add_polygons(const Leaf& leaf, std::size_t number, const CornerChoice& choose_corner,
+                         const Grid& grid, LeafTriangles::Range& range,
+                         Array<Triangle>& triangles) {
+  std::size_t expected = 0;
+  std::vector<std::uint32_t> points;
+  std::vector<Polygon> polygons = sub_polygons(leaf, choose_corner.tree);
+  for (std::size_t sub_polygon = 0; sub_polygon < polygons.size(); ++sub_polygon) {
+    const bool has_no_area = is_flat(polygons[sub_polygon]);
+    range.has_flat_sub_polygon = range.has_flat_sub_polygon || has_no_area;
+    points.clear();
+    for (PolygonCorner& corner : polygons[sub_polygon]) {
+      choose_corner(number, sub_polygon, corner.corner);
+      points.push_back(grid.mesh.point[corner.corner]);
+    }
+    // Creases hold flat triangles between sheets. Beside a jump they would fill what is between
+    // the leaf's side and the edges of its neighbour.
+    if (has_no_area && has_cut(FeatureKind::Jump, leaf, choose_corner.tree)) continue;
+    if (!has_no_area) expected += triangles_between(points);
+    triangulate_polygon(grid, std::move(polygons[sub_polygon]), triangles);
+  }
+  return expected;
+}
+
 }  // namespace
 
 std::size_t LeafTriangles::expected() const {
@@ -130,9 +164,7 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
   LeafTriangles result;
   result.all.reserve(2 * which.size());
   result.ranges.reserve(which.size());
-  const auto choose_corner = [&](std::size_t leaf, std::size_t sub_polygon, std::uint32_t& vertex) {
-    if (!tree.geometry().is_regular(vertex)) vertex = singular.corner(leaf, sub_polygon, vertex);
-  };
+  const CornerChoice choose_corner{singular, tree};
   PlainCutter cutter(grid);
   const auto add_plain = [&](std::size_t leaf, std::array<std::uint32_t, 4> corners) {
     const std::uint32_t cell = cell_cut_before(leaves[leaf], corners, grid, tree);
@@ -146,30 +178,13 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
     if (plain) add_plain(leaf, *plain);
   }
   cutter.finish();
-  std::vector<std::uint32_t> points;
   for (std::size_t k = 0; k < which.size(); ++k) {
     LeafTriangles::Range& range = result.ranges[k];
     range.first = static_cast<std::uint32_t>(result.all.size());
-    std::size_t expected = 0;
-    if (range.is_plain) {
-      expected = cutter.take(result.all);
-    } else {
-      std::vector<Polygon> polygons = sub_polygons(leaves[which[k]], tree);
-      for (std::size_t sub_polygon = 0; sub_polygon < polygons.size(); ++sub_polygon) {
-        const bool has_no_area = is_flat(polygons[sub_polygon]);
-        range.has_flat_sub_polygon = range.has_flat_sub_polygon || has_no_area;
-        points.clear();
-        for (PolygonCorner& corner : polygons[sub_polygon]) {
-          choose_corner(which[k], sub_polygon, corner.corner);
-          points.push_back(grid.mesh.point[corner.corner]);
-        }
-        // Creases hold flat triangles between sheets. Beside a jump they would fill what is between
-        // the leaf's side and the edges of its neighbour.
-        if (has_no_area && has_cut(FeatureKind::Jump, leaves[which[k]], tree)) continue;
-        if (!has_no_area) expected += triangles_between(points);
-        triangulate_polygon(grid, std::move(polygons[sub_polygon]), result.all);
-      }
-    }
+    const std::size_t expected =
+        range.is_plain
+            ? cutter.take(result.all)
+            : add_polygons(leaves[which[k]], which[k], choose_corner, grid, range, result.all);
     range.count = static_cast<std::uint32_t>(result.all.size()) - range.first;
     range.expected = static_cast<std::uint32_t>(expected);
     range.is_plain = range.is_plain && range.count == 2;

@@ -78,6 +78,7 @@ class ThinVertexPlacer {
   /// Returns whether vertices were added.
   bool place_in(const std::vector<PlacedSide>& sides) {
     std::vector<AlikeEnds> lines;
+    lines.reserve(sides.size());
     for (const PlacedSide& side : sides) {
       lines.push_back(
           {{tree_.mesh().uv[side.ends[0]], tree_.mesh().uv[side.ends[1]]}, is_defined(side)});

@@ -273,6 +273,7 @@ void clip_all_to_readable(const Scene& scene, std::vector<Samples>& moments) {
 /// Finds what the scene's cameras do not say. `scenes` are those of all moments.
 void fit(std::vector<Scene>& scenes, std::size_t cells, Framing& framing, unsigned threads) {
   std::vector<Samples> samples;
+  samples.reserve(scenes.size());
   std::vector<std::vector<Instance>> places;
   std::vector<Bounds> boxes;
   for (const Scene& scene : scenes) {

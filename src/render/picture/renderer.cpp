@@ -12,7 +12,6 @@
 #include <glm/common.hpp>
 
 #include "base/error.h"
-#include "render/picture/drawn_parts.h"
 #include "render/picture/tiles.h"
 #include "render/shading/normal_shader.h"
 #include "render/shading/shader_materials.h"
@@ -109,6 +108,25 @@ std::vector<PlacedMesh> Renderer::items_of(const Scene& scene, const FittedCamer
   return items;
 }
 
+void Renderer::note_culled(std::span<const PlacedMesh> items) {
+  culled_.clear();
+  for (const PlacedMesh& item : items) {
+    const auto [known, is_first] = culled_.try_emplace(item.surface, !item.two_sided);
+    if (!is_first) known->second &= !item.two_sided;
+  }
+}
+
+Renderer::LineWidths Renderer::line_widths(const Scene& scene, const Viewport& viewport) const {
+  LineWidths widths;
+  widths.grid = samples_across(widest_surface_line(scene, viewport.size()), viewport);
+  widths.widest = widths.grid;
+  if (has_contours()) {  // they are half a pixel beside the mesh
+    const double contours = widest_contour(scene, viewport.size()) + 1;
+    widths.widest = std::max(widths.grid, samples_across(contours, viewport));
+  }
+  return widths;
+}
+
 bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
                     const Look& look) {
   assert(meshes_.size() == scene.surfaces.size());
@@ -120,22 +138,11 @@ bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   const PixelRect& rect = viewport.rect;
   const glm::dmat4 to_rect = clip_to_rect(viewport.width, viewport.height, rect, viewport.margin);
   std::vector<PlacedMesh> items = items_of(scene, camera, unit, look);
-  culled_.clear();
-  for (const PlacedMesh& item : items) {
-    const auto [known, is_first] = culled_.try_emplace(item.surface, !item.two_sided);
-    if (!is_first) known->second &= !item.two_sided;
-  }
+  note_culled(items);
   for (PlacedMesh& item : items) item.model_to_clip = to_rect * item.model_to_clip;
   const std::vector<ShaderLight> lights = shader_lights(scene, camera, unit);
   scales_ = scales_of(scene);
-
-  LineWidths widths;
-  widths.grid = samples_across(widest_surface_line(scene, viewport.size()), viewport);
-  widths.widest = widths.grid;
-  if (has_contours()) {  // they are half a pixel beside the mesh
-    const double contours = widest_contour(scene, viewport.size()) + 1;
-    widths.widest = std::max(widths.grid, samples_across(contours, viewport));
-  }
+  const LineWidths widths = line_widths(scene, viewport);
   glViewport(0, 0, viewport.samples_across(), viewport.samples_down());
   std::vector<PlacedMesh> hiding;
   std::vector<PlacedMesh> see_through;
@@ -160,14 +167,7 @@ bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     ++pictures_drawn_;
     clear(background);
     draw_surfaces(scene, hiding, lights, widths, look);
-    if (!look.bare) {
-      if (look.lines) line_drawer_.draw_lines(scene, items, meshes_, viewport);
-      if (has_contours()) line_drawer_.draw_contours(scene, items, meshes_, viewport);
-      if (stroke_drawer_.has_strokes()) {
-        stroke_drawer_.draw(scene, meshes_, {camera, viewport, unit},
-                            line_drawer_.stroke_program());
-      }
-    }
+    if (!look.bare) draw_lines(scene, items, {camera, viewport, unit}, look);
     if (marks_) {
       PlacedMesh item({}, *marks_, camera, unit);
       item.model_to_clip = to_rect * item.model_to_clip;
@@ -175,20 +175,8 @@ bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     }
     if (!annotations.edges.empty()) line_drawer_.draw_box(annotations.edges, camera, viewport, ink);
   }
-  bool is_whole = true;
-  if (!see_through.empty()) {
-    const double least = std::ranges::min(see_through, {}, &PlacedMesh::opacity).opacity;
-    std::size_t triangles = 0;
-    for (const PlacedMesh& item : see_through) triangles += meshes_[item.surface].triangle_count();
-    const auto cut_after =
-        layers(viewport).draw({[&](Program& peel) { draw_depths(see_through, peel, widths, look); },
-                               [&] { draw_surfaces(scene, see_through, lights, widths, look); },
-                               least, triangles, look.interruption});
-    is_whole = cut_after.has_value();
-    if (is_whole && *cut_after > 0 && (layers_drawn_ == 0 || *cut_after < layers_drawn_)) {
-      layers_drawn_ = *cut_after;
-    }
-  }
+  const auto shade = [&] { draw_surfaces(scene, see_through, lights, widths, look); };
+  const bool is_whole = draw_see_through(see_through, shade, viewport, widths, look);
   if (is_whole && !annotations.empty()) {
     Program& program = line_drawer_.program();
     program.use();
@@ -200,6 +188,33 @@ bool Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   if (is_whole) forget_old_programs();
   check_gl();
   return is_whole;
+}
+
+/// Grid lines, level lines, curves and dots.
+void Renderer::draw_lines(const Scene& scene, std::span<const PlacedMesh> items,
+                          const StrokeDrawer::Screen& screen, const Look& look) {
+  if (look.lines) line_drawer_.draw_lines(scene, items, meshes_, screen.viewport);
+  if (has_contours()) line_drawer_.draw_contours(scene, items, meshes_, screen.viewport);
+  if (stroke_drawer_.has_strokes()) {
+    stroke_drawer_.draw(scene, meshes_, screen, line_drawer_.stroke_program());
+  }
+}
+
+/// `shade` draws the items. False: it has paused.
+bool Renderer::draw_see_through(std::span<const PlacedMesh> items,
+                                const std::function<void()>& shade, const Viewport& viewport,
+                                const LineWidths& widths, const Look& look) {
+  if (items.empty()) return true;
+  const double least = std::ranges::min(items, {}, &PlacedMesh::opacity).opacity;
+  std::size_t triangles = 0;
+  for (const PlacedMesh& item : items) triangles += meshes_[item.surface].triangle_count();
+  const auto peel = [&](Program& program) { draw_depths(items, program, widths, look); };
+  const auto cut_after = layers(viewport).draw({peel, shade, least, triangles, look.interruption});
+  if (!cut_after) return false;
+  if (*cut_after > 0 && (layers_drawn_ == 0 || *cut_after < layers_drawn_)) {
+    layers_drawn_ = *cut_after;
+  }
+  return true;
 }
 
 Layers& Renderer::layers(const Viewport& viewport) {
@@ -321,35 +336,40 @@ void Renderer::draw_surfaces(const Scene& scene, std::span<const PlacedMesh> ite
   end_faces();
 }
 
+/// `needs`: those of the lights. Adds those of a part.
+ShaderNeeds Renderer::needs_of(const Scene& scene, const DrawnPart& part, ShaderNeeds needs,
+                               bool first) const {
+  const PlacedMesh& item = *part.item;
+  const SurfaceSpec& surface = scene.surfaces[item.surface];
+  const Shading shading = shading_of(scene, surface);
+  needs.blinn = specular_of(scene, surface) == Specular::Blinn;
+  needs.per_vertex = shading == Shading::Vertex;
+  needs.two_sided = item.two_sided;
+  needs.see_through = item.opacity < 1;
+  needs.normal_matrix = !item.is_similar;
+  const auto& formula = normals_[item.surface].formula;
+  needs.normal = shading == Shading::Exact && formula ? &*formula : nullptr;
+  if (surface.texture && meshes_[item.surface].has_texture_places()) {
+    needs.textured = surface.texture.picture ? TextureUse::Picture : TextureUse::Checker;
+  }
+  needs.colored = meshes_[item.surface].color_range() && !surface.color.empty();
+  add_material_needs(part.materials, first, needs);
+  return needs;
+}
+
 void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
                          bool first) {
-  ShaderNeeds unlit;
-  unlit.orthographic = scene.camera.ortho;
-  unlit.unlit = true;
-  ShaderNeeds lit;
-  lit.orthographic = scene.camera.ortho;
+  const ShaderNeeds unlit{.unlit = true, .orthographic = scene.camera.ortho};
+  ShaderNeeds lit{.orthographic = scene.camera.ortho};
   add_light_needs(lights, lit);
   Program* program = nullptr;
   ShaderNeeds made_for;
   for (const DrawnPart& part : parts_of(scene, items, meshes_)) {
     const PlacedMesh& item = *part.item;
     const SurfaceSpec& surface = scene.surfaces[item.surface];
-    const Shading shading = shading_of(scene, surface);
-    const bool is_unlit = shading == Shading::Unlit;
+    const bool is_unlit = shading_of(scene, surface) == Shading::Unlit;
     if (is_unlit && !first) continue;
-    ShaderNeeds needs = is_unlit ? unlit : lit;
-    needs.blinn = specular_of(scene, surface) == Specular::Blinn;
-    needs.per_vertex = shading == Shading::Vertex;
-    needs.two_sided = item.two_sided;
-    needs.see_through = item.opacity < 1;
-    needs.normal_matrix = !item.is_similar;
-    const auto& formula = normals_[item.surface].formula;
-    needs.normal = shading == Shading::Exact && formula ? &*formula : nullptr;
-    if (surface.texture && meshes_[item.surface].has_texture_places()) {
-      needs.textured = surface.texture.picture ? TextureUse::Picture : TextureUse::Checker;
-    }
-    needs.colored = meshes_[item.surface].color_range() && !surface.color.empty();
-    add_material_needs(part.materials, first, needs);
+    const ShaderNeeds needs = needs_of(scene, part, is_unlit ? unlit : lit, first);
     if (program == nullptr || needs != made_for) {
       program = &surface_program(needs, surface.name);
       program->use();
@@ -359,8 +379,8 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
     program->set("model_to_clip", item.model_to_clip);
     program->set("model_to_eye", item.model_to_eye);
     if (needs.normal_matrix) program->set("normal_to_eye", item.normal_to_eye);
-    if (needs.normal != nullptr && !formula->constants.empty()) {
-      program->set("constant", formula->constants);
+    if (needs.normal != nullptr && !needs.normal->constants.empty()) {
+      program->set("constant", needs.normal->constants);
     }
     if (needs.see_through) program->set("opacity", item.opacity);
     if (needs.colored) set_color(*program, scene, item.surface);

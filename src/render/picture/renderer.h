@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -14,6 +15,7 @@
 #include "render/gl/program.h"
 #include "render/gl/viewport.h"
 #include "render/overlay/overlay_drawer.h"
+#include "render/picture/drawn_parts.h"
 #include "render/picture/layers.h"
 #include "render/picture/line_drawer.h"
 #include "render/picture/placed_mesh.h"
@@ -96,12 +98,20 @@ class Renderer {
   static void end_faces();
   void draw_depths(std::span<const PlacedMesh> items, Program& program, const LineWidths& widths,
                    const Look& look);
+  void note_culled(std::span<const PlacedMesh> items);
+  LineWidths line_widths(const Scene& scene, const Viewport& viewport) const;
+  void draw_lines(const Scene& scene, std::span<const PlacedMesh> items,
+                  const StrokeDrawer::Screen& screen, const Look& look);
+  bool draw_see_through(std::span<const PlacedMesh> items, const std::function<void()>& shade,
+                        const Viewport& viewport, const LineWidths& widths, const Look& look);
   std::vector<ColorScale> scales_of(const Scene& scene) const;
   void set_color(Program& program, const Scene& scene, std::size_t surface);
   void set_texture(Program& program, const SurfaceSpec& surface);
   void draw_surfaces(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
                      const LineWidths& widths, const Look& look);
   Program& surface_program(const ShaderNeeds& needs, const std::string& surface);
+  ShaderNeeds needs_of(const Scene& scene, const DrawnPart& part, ShaderNeeds needs,
+                       bool first) const;
   void draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights, bool first);
 
   std::size_t lights_at_once_ = 0;

@@ -13,13 +13,13 @@ enum class TextureUse { None, Picture, Checker };
 
 /// Decides the shaders' text; nothing else changes it.
 struct ShaderNeeds {
-  std::vector<const LightKind*> lights;  ///< in the order of light_kinds()
-  bool grey = true;                      ///< no light has a hue
-  bool attenuation = false;              ///< some light, a spot light perhaps, is weaker from afar
-  bool focus = false;                    ///< some cone has an exponent
-  bool ambient = false;                  ///< some light has an ambient part
-  bool highlights = false;               ///< some light mirrors in a colour of its own
-  bool specular = false;                 ///< the material mirrors
+  std::vector<const LightKind*> lights = {};  ///< in the order of light_kinds()
+  bool grey = true;                           ///< no light has a hue
+  bool attenuation = false;  ///< some light, a spot light perhaps, is weaker from afar
+  bool focus = false;        ///< some cone has an exponent
+  bool ambient = false;      ///< some light has an ambient part
+  bool highlights = false;   ///< some light mirrors in a colour of its own
+  bool specular = false;     ///< the material mirrors
   bool blinn = false;
   bool emission = false;       ///< the material shines by itself
   bool two_sided = true;       ///< back faces can be seen

@@ -125,6 +125,24 @@ Error not_a_parameter(const Definition& definition, const SurfaceSpec& spec, boo
           parameters + ": " + u + "=" + definition.text};
 }
 
+/// The formula or condition of the surface that has this name.
+std::string& formula_of(SurfaceSpec& spec, const std::string& name) {
+  return name == "x"     ? spec.x
+         : name == "y"   ? spec.y
+         : name == "z"   ? spec.z
+         : name == "xyz" ? spec.xyz
+                         : spec.where;
+}
+
+void define(Scene& scene, const Definition& definition) {
+  const auto found = std::ranges::find(scene.definitions, definition.name, &Definition::name);
+  if (found == scene.definitions.end()) {
+    scene.definitions.push_back(definition);
+  } else {
+    *found = definition;
+  }
+}
+
 void file(Scene& scene, const Definition& definition) {
   const std::string& name = definition.name;
   const bool has_surface = !scene.surfaces.empty();
@@ -137,21 +155,11 @@ void file(Scene& scene, const Definition& definition) {
     }
     (*parameter == 0 ? spec.u : spec.v) = parse_range(definition);
   } else if (is_coordinate(name) || name == "where") {
-    SurfaceSpec& spec = last_surface(scene);
-    (name == "x"     ? spec.x
-     : name == "y"   ? spec.y
-     : name == "z"   ? spec.z
-     : name == "xyz" ? spec.xyz
-                     : spec.where) = definition.text;
+    formula_of(last_surface(scene), name) = definition.text;
   } else if (name == "t") {
     set_time(scene, definition);
   } else {
-    const auto found = std::ranges::find(scene.definitions, name, &Definition::name);
-    if (found == scene.definitions.end()) {
-      scene.definitions.push_back(definition);
-    } else {
-      *found = definition;
-    }
+    define(scene, definition);
   }
 }
 
@@ -281,8 +289,8 @@ ParameterNames parameters_of(const std::vector<Definition>& ranges) {
     if (is_free) places[place] = name;
     return is_free;
   };
-  std::vector<std::string> left;
-  for (const Definition& range : ranges) left.push_back(range.name);
+  std::vector<std::string> left(ranges.size());
+  std::ranges::transform(ranges, left.begin(), &Definition::name);
   for (const auto& usual : {std::pair{"u", "v"}, std::pair{"x", "y"}}) {
     std::erase_if(left, [&](const std::string& name) {
       return (name == usual.first && take(0, name)) || (name == usual.second && take(1, name));
@@ -295,8 +303,8 @@ ParameterNames parameters_of(const std::vector<Definition>& ranges) {
 }  // namespace
 
 void assign_all(Scene& scene, const std::vector<std::string>& assignments) {
-  std::vector<Definition> all;
-  for (const std::string& assignment : assignments) all.push_back(parse_definition(assignment));
+  std::vector<Definition> all(assignments.size());
+  std::ranges::transform(assignments, all.begin(), parse_definition);
   std::vector<Definition> ranges;
   for (const Definition& definition : all) {
     const bool is_of_time = definition.name == "t";

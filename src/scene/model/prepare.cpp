@@ -77,6 +77,14 @@ bool levels_move(Scope& scope, const SurfaceSpec& spec, double t) {
   return scope.has_used_time();
 }
 
+void check_height(const SurfaceSpec& spec) {
+  if (has_height(spec)) return;
+  const auto& [u, v] = spec.parameters;
+  throw Error(Status::Input, "z has no formula", {},
+              "x and y default to " + u + " and " + v + ", z has no default: for example z='sin(" +
+                  u + ")*cos(" + v + ")'");
+}
+
 }  // namespace
 
 NodeId between(Graph& graph, const std::array<NodeId, 2>& ends) {
@@ -90,12 +98,8 @@ NodeId between(Graph& graph, const std::array<NodeId, 2>& ends) {
 BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
   if (spec.curve) return bind_as_surface(scene, scene.curves[*spec.curve]);
   if (spec.point) return bind_point(scene, scene.points[*spec.point]);
+  check_height(spec);
   const auto& [name_u, name_v] = spec.parameters;
-  if (!has_height(spec)) {
-    throw Error(Status::Input, "z has no formula", {},
-                "x and y default to " + name_u + " and " + name_v +
-                    ", z has no default: for example z='sin(" + name_u + ")*cos(" + name_v + ")'");
-  }
   BoundSurface result;
   Graph& graph = result.graph;
   Scope scope(graph, surface_definitions(scene, spec), surface_view(scene, spec));

@@ -52,8 +52,8 @@ void make_solids(Meshed& meshed) {
   if (std::ranges::none_of(scene.surfaces, is_thick)) return;
   std::vector<Tessellation> sheets;
   for (const auto& sheet : meshed.surfaces) sheets.push_back(*sheet);
-  std::vector<Tessellation*> made;
-  for (Tessellation& sheet : sheets) made.push_back(&sheet);
+  std::vector<Tessellation*> made(sheets.size());
+  std::ranges::transform(sheets, made.begin(), [](Tessellation& sheet) { return &sheet; });
   thicken_scene(scene, made, false, 0);
   for (std::size_t k = 0; k < sheets.size(); ++k) {
     if (is_thick(scene.surfaces[k]))

@@ -55,6 +55,7 @@ std::vector<fs::path> left_works(const fs::path& directory) {
   }
   std::ranges::sort(works, std::greater{});
   std::vector<fs::path> paths;
+  paths.reserve(works.size());
   for (auto& [time, path] : works) paths.push_back(std::move(path));
   return paths;
 }

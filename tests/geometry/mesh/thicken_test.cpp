@@ -165,7 +165,7 @@ TEST(Solid, OfAFlatSquareIsABox) {
   EXPECT_NEAR(volume(solid), 0.75, 1e-12);
   EXPECT_EQ(solid.bounds.low, dvec3(0, 0, -0.5));
   EXPECT_EQ(solid.bounds.high, dvec3(1, 1, 0.25));
-  EXPECT_EQ(count_crossings(solid, 1), 0U);
+  EXPECT_EQ(count_crossings(solid, 1).pairs, 0U);
 }
 
 TEST(Solid, MitresItsCreasesAndTips) {
@@ -322,7 +322,7 @@ TEST(Solid, OfRandomFormulasIsAManifold) {
 
 TEST(SolidFacts, CountTrianglesThatGoThroughEachOther) {
   const Mesh plane = sheet_of("u", "v", "0", {-1, 1, -1, 1});
-  EXPECT_EQ(count_crossings(plane, 1), 0U);
+  EXPECT_EQ(count_crossings(plane, 1).pairs, 0U);
   Mesh both = plane;  // and a triangle that stands upright in it
   const auto first = static_cast<std::uint32_t>(both.position.size());
   for (const dvec3& p : {dvec3(0.11, 0.13, -1), dvec3(0.12, 0.13, 1), dvec3(0.115, 0.14, 1)}) {
@@ -330,12 +330,37 @@ TEST(SolidFacts, CountTrianglesThatGoThroughEachOther) {
     both.point.push_back(both.point_count++);
   }
   both.triangles.push_back({first, first + 1, first + 2});
-  EXPECT_EQ(count_crossings(both, 1), 1U);
+  EXPECT_EQ(count_crossings(both, 1).pairs, 1U);
   // By brute force, and on any number of threads.
   const Mesh boy = sheet_of(scene_of("boy", {}));
-  const std::size_t crossings = count_crossings(boy, 1);
-  EXPECT_GT(crossings, 100U);
-  EXPECT_EQ(count_crossings(boy, 3), crossings);
+  const Crossings crossings = count_crossings(boy, 1);
+  EXPECT_TRUE(crossings.are_all);
+  EXPECT_GT(crossings.pairs, 100U);
+  EXPECT_EQ(count_crossings(boy, 3).pairs, crossings.pairs);
+}
+
+/// Needles that all go through one point's surroundings: nearly each of them crosses each.
+TEST(SolidFacts, CountNoMoreCrossingsThanTheirWorkIsBoundedFor) {
+  constexpr std::uint32_t kNeedles = 1000;
+  Mesh bundle;
+  for (std::uint32_t k = 0; k < kNeedles; ++k) {
+    const double angle = kPi * k / kNeedles;
+    const dvec3 way(std::cos(angle), std::sin(angle), 0);
+    const dvec3 beside = 1e-3 * dvec3(-way.y, way.x, 0);
+    const dvec3 up(0, 0, 1e-6 * k);
+    for (const dvec3& p : {-way + up, way + beside + up, way - beside + dvec3(0, 0, 0.1)}) {
+      bundle.position.push_back(dvec3(p));
+      bundle.point.push_back(bundle.point_count++);
+    }
+    bundle.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+  }
+  const Crossings crossings = count_crossings(bundle, 1);
+  EXPECT_FALSE(crossings.are_all);
+  EXPECT_GT(crossings.pairs, 10 * kNeedles);
+  EXPECT_LT(crossings.pairs, 130 * kNeedles);  // of some 500,000
+  const Crossings again = count_crossings(bundle, 3);
+  EXPECT_EQ(again.pairs, crossings.pairs);
+  EXPECT_EQ(again.are_all, crossings.are_all);
 }
 
 TEST(SolidFacts, TellShellsVolumeAndClosedness) {
@@ -344,7 +369,7 @@ TEST(SolidFacts, TellShellsVolumeAndClosedness) {
   EXPECT_TRUE(facts.closed);
   EXPECT_EQ(facts.shells, 2U);
   EXPECT_NEAR(facts.volume, volume(solid), 1e-9);
-  EXPECT_EQ(facts.crossings, 0U);
+  EXPECT_EQ(facts.crossings.pairs, 0U);
   EXPECT_FALSE(solid_facts(sheet_of(scene_of("catenoid")), 1).closed);
 }
 

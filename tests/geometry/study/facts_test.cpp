@@ -212,6 +212,24 @@ TEST(Facts, CurvaturesWithLimitsAtSingularPointsAreBounded) {
   EXPECT_FALSE(dome.mean.falls_toward || dome.mean.grows_toward);
 }
 
+/// The mesh ends before the line u = 0, toward which heights and areas grow without end.
+TEST(Facts, BesidePolesAreThoseOfTheMesh) {
+  const Scene scene = scene_over_square("1/u", {"-1", "1"});
+  const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
+  const MeshResult mesh = mesh_of(surface, scene, 1e-3);
+  ASSERT_GT(mesh.report.pole_count, 0U);
+  const Measures measures = gather_facts(surface, mesh.mesh, mesh.report, false, 1).measures;
+  EXPECT_EQ(measures.extents.low, mesh.mesh.bounds.low);
+  EXPECT_EQ(measures.extents.high, mesh.mesh.bounds.high);
+  EXPECT_EQ(measures.extents_bounds.high, mesh.mesh.bounds.high);
+  double area = 0;
+  for (const Triangle& t : mesh.mesh.triangles) {
+    const auto corner = [&](int k) { return mesh.mesh.position[t[static_cast<std::size_t>(k)]]; };
+    area += 0.5 * glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+  }
+  EXPECT_NEAR(measures.area.value, area, 1e-2 * area);
+}
+
 TEST(Facts, AHoleBetweenTheMeshsSamplesCountsAgainstClosed) {
   EXPECT_EQ(facts_of(torus_with("0")).closed, Closed::Yes);
   for (const char* const radius : {"0.5", "1e-3", "1e-5"}) {
