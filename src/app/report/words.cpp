@@ -285,9 +285,8 @@ std::string cuts(std::span<const dvec2> listed, std::size_t count, const Paramet
 std::string jumps(const MeshReport& report, const Domain& domain) {
   const std::size_t torn = report.without_limit.size();
   if (torn == 0) return cuts(report.jumps, report.jump_count, report.jump_lines, domain);
-  std::string text =
-      "no limit at " +
-      text_of(one_by_one(report.without_limit, indices_of(torn)), false, domain, kDigits);
+  std::string text = "no limit at " + text_of(one_by_one(report.without_limit, indices_of(torn)),
+                                              false, domain, kDigits);
   if (report.jump_count == torn) return text;
   const auto others = std::span(report.jumps).subspan(torn);
   return cuts(others, report.jump_count - torn, report.jump_lines, domain) + "; " + text;
