@@ -58,7 +58,7 @@ void BoundaryDistance::end_at_cliffs(std::span<const std::size_t> numbers,
     ways.push_back({jumps_[k].opposite, jumps_[k].outside.value_or(jumps_[k].beyond)});
   const auto cliffs = find_cliffs(surface_, ways, delta_, threads_, evaluations_);
   for (std::size_t i = 0; i < cliffs.size(); ++i) {
-    if (cliffs[i]) ends[numbers[i]] = SheetEnd{(*cliffs[i])[0], SheetEnd::Kind::Jump};
+    if (!cliffs[i].empty()) ends[numbers[i]] = SheetEnd{cliffs[i].front(), SheetEnd::Kind::Jump};
   }
 }
 

@@ -108,7 +108,8 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
                                 std::span<const Triangle> triangles,
                                 std::vector<ValidationPoint>& samples) const {
   const bool is_cut = leaf.state.is_cut_by_feature();
-  const bool is_creased = is_cut && count_features(leaf, tree_).only_creases;
+  const FeatureCount features = is_cut ? count_features(leaf, tree_) : FeatureCount();
+  const bool is_creased = is_cut && features.only_creases;
   if (triangles.size() <= 2 && !is_cut) return;
   // The error indicator does not cover the diagonals of leaves with more corners, nor chords of
   // creases. Beside chords of jumps the surface may be on either level.
@@ -139,7 +140,12 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
     }
   };
   for (const Triangle& t : triangles) {
-    samples.push_back({number, (at[t[0]] + at[t[1]] + at[t[2]]) / 3.0, &t});
+    // Where a cliff turns from its segments, it is too near to them to be seen.
+    const bool is_on_cliff =
+        features.has_cliffs && std::ranges::all_of(t, [this](std::uint32_t corner) {
+          return tree_.vertices().is_on_feature(corner);
+        });
+    samples.push_back({number, (at[t[0]] + at[t[1]] + at[t[2]]) / 3.0, &t, is_on_cliff});
     for (std::size_t k = 0; k < 3; ++k) append_chord(t, k);
   }
 }

@@ -11,6 +11,7 @@
 #include "mesh/features/bisect_together.h"
 #include "mesh/model/segment.h"
 #include "mesh/model/tolerances.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 
@@ -23,11 +24,13 @@ constexpr double kLongestCliff = 0.75;
 constexpr double kExplained = 0.25;
 /// A sheet ends where it leaves its tangent by this part of delta.
 constexpr double kOnTangent = 1.0 / 16;
-/// Places on a cliff, its ends included, at which that is measured: fewer miss the rounded ends of
-/// tanh.
+/// Places on a straight cliff, its ends included, at which that is measured: fewer miss the rounded
+/// ends of tanh. A cliff of several segments has more, and at least three on each.
 constexpr std::size_t kPlacesOnCliff = 13;
-/// How many times as steep as on the average a cliff may be at an end: a vertex may lie in the
-/// middle of tanh's cliff, but toward a pole the surface is ever steeper.
+constexpr std::size_t kPlacesOnSegments = 129;
+constexpr std::size_t kMostSegments = 32;
+/// How many times as steep as on the average a straight cliff may be at an end: a vertex may lie in
+/// the middle of tanh's cliff, but toward a pole the surface is ever steeper.
 constexpr double kSteepestEnd = 3;
 /// The part of the way from an end of a cliff to the place on it to which the end is found.
 constexpr double kNearEnd = 1.0 / 32;
@@ -167,28 +170,97 @@ void widen(CliffSearch& search) {
 
 /// Whether a cliff goes from sheet to sheet, and not toward a pole. `way`: from its first to its
 /// last place.
-bool has_sheets(const CliffSearch& search, const dvec3& way) {
+bool is_between_sheets(const CliffSearch& search, const dvec3& way) {
   const double width = search.ends[1].share - search.ends[0].share;
   return std::ranges::all_of(search.ends, [&](const Place& end) {
     return glm::length(end.slope) * width <= kSteepestEnd * glm::length(way);
   });
 }
 
-/// Whether the surface rises by more than delta along a segment. `positions`: on the cliff, its
-/// ends first and last.
+/// Whether places are on the segment between the first and the last one.
 bool is_straight(std::span<const dvec3> positions, double delta) {
-  const dvec3& a = positions.front();
-  const dvec3& b = positions.back();
-  if (!(glm::distance(a, b) > delta)) return false;
   return std::ranges::all_of(positions, [&](const dvec3& p) {
-    return distance_from_segment(a, b, p) <= kExplained * delta;
+    return distance_from_segment(positions.front(), positions.back(), p) <= kExplained * delta;
   });
+}
+
+/// The numbers of places between which others are on segments, as few as there may be from the
+/// first on; none if that takes too many segments, or where three places in a row are on none, as
+/// on the way to a pole.
+std::vector<std::size_t> ends_of_segments(std::span<const dvec3> positions, double delta) {
+  constexpr std::size_t kLeast = 3;
+  std::vector<std::size_t> ends = {0};
+  while (ends.back() + 1 < positions.size()) {
+    const std::size_t first = std::min(ends.back(), positions.size() - kLeast);
+    std::size_t count = kLeast;
+    while (first + count < positions.size() &&
+           is_straight(positions.subspan(first, count + 1), delta))
+      ++count;
+    const bool is_confirmed = count > kLeast || is_straight(positions.subspan(first, count), delta);
+    if (ends.size() > kMostSegments || !is_confirmed) return {};
+    ends.push_back(first + count - 1);
+  }
+  return ends;
+}
+
+/// Even shares of the way from the first to the last place of a cliff.
+double share_on(const CliffSearch& search, std::size_t k, std::size_t count) {
+  if (k == 0 || k + 1 == count) return search.ends[k == 0 ? 0 : 1].share;
+  const double share = static_cast<double>(k) / static_cast<double>(count - 1);
+  return glm::mix(search.ends[0].share, search.ends[1].share, share);
+}
+
+/// Whether the surface goes on as a sheet beyond an end of a cliff that is an end of its line: a
+/// needle's flank ends there, too. At an edge of the domain there is nothing beyond.
+bool has_sheets_beyond(const Surface& surface, const CliffSearch& search, double delta,
+                       std::size_t& work) {
+  const ParameterBox domain = box_of(surface.domain);
+  const double width = search.ends[1].share - search.ends[0].share;
+  for (const double end : {0.0, 1.0}) {
+    if (search.ends[end == 0 ? 0 : 1].share != end) continue;
+    const double share = end == 0 ? -width : 1 + width;
+    const dvec2 beyond = search.at(share);
+    const dvec2 inside =
+        glm::clamp(beyond, glm::min(domain.low, domain.high), glm::max(domain.low, domain.high));
+    if (inside != beyond) continue;
+    const std::vector<SurfacePoint> points =
+        evaluate(surface, std::array{beyond, search.at(end)}, 1);
+    work += points.size();
+    const Place sheet = search.place(share, points[0]);
+    const dvec3 way = (end - share) * sheet.slope;
+    if (!(glm::distance(points[1].position, sheet.position + way) <= kExplained * delta))
+      return false;
+  }
+  return true;
+}
+
+/// Positions at even shares of cliffs, one cliff after the other.
+std::vector<dvec3> positions_on(const Surface& surface, std::span<const CliffSearch> searches,
+                                std::span<const std::size_t> numbers, std::size_t count,
+                                unsigned threads, std::size_t& work) {
+  std::vector<dvec2> uv;
+  for (const std::size_t k : numbers) {
+    for (std::size_t i = 0; i < count; ++i)
+      uv.push_back(searches[k].at(share_on(searches[k], i, count)));
+  }
+  work += uv.size();
+  return evaluate_positions(surface, uv, threads);
+}
+
+/// The cliff of a search, with places at even shares, of which the numbers are given.
+Cliff cliff_at(const CliffSearch& search, std::span<const std::size_t> numbers, std::size_t count) {
+  Cliff cliff;
+  for (const std::size_t k : numbers) {
+    const double share = share_on(search, k, count);
+    cliff.push_back(share == 0 ? search.line[0] : share == 1 ? search.line[1] : search.at(share));
+  }
+  return cliff;
 }
 
 }  // namespace
 
-std::vector<std::optional<Line>> find_cliffs(const Surface& surface, std::span<const Line> lines,
-                                             double delta, unsigned threads, std::size_t& work) {
+std::vector<Cliff> find_cliffs(const Surface& surface, std::span<const Line> lines, double delta,
+                               unsigned threads, std::size_t& work) {
   std::vector<dvec2> uv;
   for (const Line& line : lines) uv.insert(uv.end(), line.begin(), line.end());
   const std::vector<SurfacePoint> at_ends = evaluate(surface, uv, threads);
@@ -202,37 +274,40 @@ std::vector<std::optional<Line>> find_cliffs(const Surface& surface, std::span<c
     if (gap > delta && gap < kInfinity) open.push_back(k);
     searches.push_back(search);
   }
-  std::vector<std::optional<Line>> cliffs(lines.size());
+  std::vector<Cliff> cliffs(lines.size());
   halve_to_cliffs(surface, delta, threads, searches, open, work);
   if (open.empty()) return cliffs;
   find_ends(surface, delta, threads, searches, open, work);
-  uv.clear();
   for (const std::size_t k : open) widen(searches[k]);
   // While a cliff rises, the sheets beside it go on by delta at most: leaves show wider ones.
   std::erase_if(open, [&](std::size_t k) {
     const double width = searches[k].ends[1].share - searches[k].ends[0].share;
     return width > kLongestCliff || !(speed_beside(searches[k]) * width <= delta);
   });
-  for (const std::size_t k : open) {
-    const auto [first, last] = std::array{searches[k].ends[0].share, searches[k].ends[1].share};
-    for (std::size_t i = 0; i < kPlacesOnCliff; ++i) {
-      const double share = static_cast<double>(i) / (kPlacesOnCliff - 1);
-      uv.push_back(searches[k].at(glm::mix(first, last, share)));
+  std::vector<std::size_t> curved;
+  const auto add_from = [&](std::span<const std::size_t> numbers, std::size_t count,
+                            const auto& ends_of) {
+    const auto positions = positions_on(surface, searches, numbers, count, threads, work);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const auto on_cliff = std::span(positions).subspan(i * count, count);
+      const CliffSearch& search = searches[numbers[i]];
+      const dvec3 way = on_cliff.back() - on_cliff.front();
+      if (!(glm::length(way) > delta)) continue;
+      cliffs[numbers[i]] = cliff_at(search, ends_of(numbers[i], on_cliff), count);
     }
-  }
-  const std::vector<dvec3> positions = evaluate_positions(surface, uv, threads);
-  work += uv.size();
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    const CliffSearch& search = searches[open[i]];
-    const auto on_cliff = std::span(positions).subspan(i * kPlacesOnCliff, kPlacesOnCliff);
-    if (!has_sheets(search, on_cliff.back() - on_cliff.front()) || !is_straight(on_cliff, delta))
-      continue;
-    cliffs[open[i]] = {search.at(search.ends[0].share), search.at(search.ends[1].share)};
-    for (std::size_t end = 0; end < 2; ++end) {
-      if (search.ends[end].share == static_cast<double>(end))
-        (*cliffs[open[i]])[end] = search.line[end];
-    }
-  }
+  };
+  add_from(open, kPlacesOnCliff, [&](std::size_t k, std::span<const dvec3> on_cliff) {
+    const bool has_sheets = is_between_sheets(searches[k], on_cliff.back() - on_cliff.front());
+    if (has_sheets && is_straight(on_cliff, delta))
+      return std::vector<std::size_t>{0, kPlacesOnCliff - 1};
+    curved.push_back(k);
+    return std::vector<std::size_t>{};
+  });
+  std::erase_if(
+      curved, [&](std::size_t k) { return !has_sheets_beyond(surface, searches[k], delta, work); });
+  add_from(curved, kPlacesOnSegments, [&](std::size_t, std::span<const dvec3> on_cliff) {
+    return ends_of_segments(on_cliff, delta);
+  });
   return cliffs;
 }
 

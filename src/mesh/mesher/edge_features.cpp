@@ -9,8 +9,8 @@
 #include "mesh/features/cliffs.h"
 #include "mesh/features/creases.h"
 #include "mesh/features/discontinuities.h"
-#include "mesh/mesher/close_jumps.h"
 #include "mesh/mesher/pole_features.h"
+#include "mesh/mesher/strip_features.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
@@ -21,10 +21,6 @@
 namespace saddle {
 
 namespace {
-
-/// How far from a cliff its sheets have normals of their own, in widths of the cliff: the rounded
-/// foot of tanh is flat there.
-constexpr double kBesideCliff = 4;
 
 /// Searches a batch of sides.
 class FeatureTracer {
@@ -191,62 +187,19 @@ class FeatureTracer {
     const auto cliffs =
         find_cliffs(tree_.surface(), lines, delta, options_.threads, tree_.effort().looks());
     std::vector<Side> cut;
-    std::vector<Line> parts;
+    std::vector<Cliff> found;
     std::vector<Side> others;
     for (std::size_t k = 0; k < sides.size(); ++k) {
-      if (!cliffs[k]) {
+      if (cliffs[k].empty()) {
         others.push_back(sides[k]);
         continue;
       }
       cut.push_back(sides[k]);
-      parts.push_back(*cliffs[k]);
+      found.push_back(cliffs[k]);
     }
     tree_.edges().count_cliffs(sides.size(), cut.size());
-    if (!cut.empty()) add_cliffs(cut, parts);
+    if (!cut.empty()) add_cliffs(cut, found, options_.threads, tree_);
     sides = std::move(others);
-  }
-
-  /// Records cliffs. Foot and head have two vertices each, with the normals of the sheet and of the
-  /// cliff; an end of a side is the sheet's if the cliff begins there.
-  void add_cliffs(std::span<const Side> sides, std::span<const Line> cliffs) {
-    const auto& uv = tree_.mesh().uv;
-    std::vector<Between> places;
-    std::vector<dvec2> normals_at;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      const auto& [foot, head] = cliffs[k];
-      const auto add = [&](const dvec2& at, const dvec2& normal_at) {
-        places.push_back({sides[k][0], sides[k][1], at});
-        normals_at.push_back(normal_at);
-      };
-      for (const dvec2& end : cliffs[k]) add(end, 0.5 * (foot + head));
-      for (std::size_t end = 0; end < 2; ++end) {
-        const dvec2& from = cliffs[k][end];
-        if (from == uv[sides[k][end]]) continue;
-        const dvec2 way = kBesideCliff * (from - cliffs[k][1 - end]);
-        const dvec2 rest = uv[sides[k][end]] - from;
-        add(from, from + (glm::dot(way, way) < glm::dot(rest, rest) ? way : rest));
-      }
-    }
-    const std::uint32_t first = tree_.geometry().add_between(places, options_.threads);
-    const std::vector<SurfacePoint> points =
-        evaluate(tree_.surface(), normals_at, options_.threads);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto normal = known_normal(points[i], tree_.surface().flip);
-      if (normal) tree_.geometry().set_normal(static_cast<std::uint32_t>(first + i), *normal);
-    }
-    tree_.geometry().take_known_normals();
-    std::uint32_t next = first;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      EdgeFeature cliff{FeatureKind::Cliff, sides[k][0], sides[k][0], sides[k][1]};
-      cliff.first_on_strips = next;
-      cliff.strips = 1;
-      next += 2;
-      if (cliffs[k][0] != uv[sides[k][0]]) cliff.beside_first = next++;
-      if (cliffs[k][1] != uv[sides[k][1]]) cliff.beside_second = next++;
-      tree_.geometry().join(cliff.beside_first, cliff.first_on_strips);
-      tree_.geometry().join(cliff.beside_second, cliff.first_on_strips + 1);
-      tree_.edges().set_feature(sides[k][0], sides[k][1], cliff);
-    }
   }
 
   void find_creases_in(std::vector<Side> sides) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
+#include "base/numbers.h"
 #include "mesh/mesher/oscillation.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
@@ -15,10 +18,37 @@ namespace {
 
 /// An error estimate below 0.5 tolerances says nothing about the direction of a sampled error.
 constexpr double kSignificant = 0.5;
+/// A cliff is narrow in a leaf four times as large.
+constexpr double kNarrowCliff = 0.25;
 
 /// Whether a leaf is slender beside its root cell.
 bool is_sliver(const Leaf& leaf) {
   return kSlender * std::min(leaf.size_u(), leaf.size_v()) <= kCellUnit;
+}
+
+/// Whether features have not been searched for on a side of a leaf.
+bool has_unsearched_side(const Leaf& leaf, const CellTree& tree) {
+  return std::ranges::any_of(sides_of(leaf, tree), [&](const Side& side) {
+    return !tree.edges().is_searched(side[0], side[1]);
+  });
+}
+
+/// Whether the one cliff of a leaf is narrow beside it, and may leave it through sides as short as
+/// itself, beside smaller leaves that show it without features. The flank of a needle is wide.
+bool goes_on_in_sides(const Leaf& leaf, const CellTree& tree) {
+  const auto length = [&](std::uint32_t a, std::uint32_t b) {
+    return glm::distance(tree.vertices().place_between(a), tree.vertices().place_between(b));
+  };
+  double shortest = kInfinity;
+  double width = 0;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    if (const auto feature = tree.edges().feature(a, b)) {
+      width = length(feature->beside_first, feature->beside_second);
+    } else {
+      shortest = std::min(shortest, length(a, b));
+    }
+  });
+  return shortest <= width && width <= kNarrowCliff * std::max(leaf.size_u(), leaf.size_v());
 }
 
 bool covers_leaf(const Leaf& leaf, const CellTree& tree) {
@@ -66,9 +96,11 @@ bool SplitDirection::is_cut_unclearly(std::size_t number) const {
   if (!leaf.state.is_cut_by_feature()) return false;
   const FeatureCount features = count_features(leaf, tree_);
   if (features.only_creases) return mesh_.triangles.ranges[number].has_flat_sub_polygon;
-  // A cliff that ends in a leaf leaves it whole.
+  // A cliff that ends in a leaf leaves it whole. Where a neighbour was just halved, the next search
+  // tells whether it does.
   if (features.has_cliffs && !features.is_through())
-    return leaf.state.may_be_halved() && !is_too_small_to_see(leaf);
+    return leaf.state.may_be_halved() && !has_unsearched_side(leaf, tree_) &&
+           !(features.features == 1 && goes_on_in_sides(leaf, tree_)) && !is_too_small_to_see(leaf);
   if (!features.only_jumps) return leaf.state.may_be_halved() && !features.is_through();
   const bool may_overlap = !features.is_through() || tree_.inner().has(leaf);
   return features.has_more || (may_overlap && !covers_leaf(leaf, tree_));

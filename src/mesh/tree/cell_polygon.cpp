@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/feature_count.h"
@@ -92,7 +94,19 @@ class Cutter {
     if (cuts_ == boundaries_ && !is_parted && (has_middle || is_thin_strip())) join_runs();
     if (folded && cuts_ < 2) cut_at_singular_points();
     std::vector<Polygon> result;
-    if (creases_.size() >= 3) add(middle(), result);
+    if (cuts_ == 1 && cliffs_.size() == 1 && runs_.size() == 1) {
+      Polygon& whole = runs_.front().polygon;
+      whole.insert(whole.end(), creases_.begin(), creases_.end());
+      creases_.clear();
+    }
+    join_first_cliff();
+    if (cliffs_.size() == 2 && cliffs_[0] + cliffs_[1] == creases_.size()) {
+      const auto crossings = std::span(creases_);
+      for (Polygon& strip : strips_between(crossings.first(cliffs_[0]), crossings.last(cliffs_[1])))
+        add(std::move(strip), result);
+    } else if (creases_.size() >= 3) {
+      add(middle(), result);
+    }
     for (Run& run : runs_) {
       if (!run.goes_far) add(std::move(run.polygon), result);
     }
@@ -113,6 +127,14 @@ class Cutter {
       run.clear();
     }
     return polygon;
+  }
+
+  /// Joins the first crossing of a cliff with the last, if they are one around a corner.
+  void join_first_cliff() {
+    if (cliffs_.size() < 3 || creases_.front().place != creases_.back().place) return;
+    std::ranges::rotate(creases_, creases_.end() - static_cast<std::ptrdiff_t>(cliffs_.back()));
+    cliffs_.front() += cliffs_.back();
+    cliffs_.pop_back();
   }
 
   PolygonCorner corner(std::uint32_t vertex) const {
@@ -150,7 +172,14 @@ class Cutter {
     if (feature->kind == FeatureKind::Crease)
       creases_.push_back({feature->beside(a), place(*feature)});
     if (feature->kind == FeatureKind::Cliff) {
-      for (const std::uint32_t vertex : feature->on_strip(0, a)) creases_.push_back(corner(vertex));
+      // One crossing may go through a corner of the leaf.
+      const PolygonCorner first = corner(feature->on_strip(0, a)[0]);
+      if (cliffs_.empty() || creases_.back().place != first.place) cliffs_.push_back(0);
+      cliffs_.back() += 2U * feature->strips;
+      for (std::size_t k = 0; k < feature->strips; ++k) {
+        for (const std::uint32_t vertex : feature->on_strip(k, a))
+          creases_.push_back(corner(vertex));
+      }
     }
     cut();
     if (tree_.geometry().is_defined(b)) {
@@ -258,7 +287,8 @@ class Cutter {
   const Polygon& whole_;
   const CellTree& tree_;
   std::vector<Run> runs_{1};
-  Polygon creases_;  // places where creases and both ends of cliffs cross sides
+  Polygon creases_;                  // where creases and the segments of cliffs cross sides
+  std::vector<std::size_t> cliffs_;  // corners of each crossing of a cliff
   std::size_t cuts_ = 0;
   std::size_t boundaries_ = 0;  // among the cuts
   std::size_t lines_ = 0;       // vertices on undefined lines

@@ -12,8 +12,6 @@
 
 namespace saddle {
 
-using Polygon = std::vector<PolygonCorner>;
-
 /// The number of vertices of the cell polygon.
 std::uint32_t count_polygon_vertices(const Leaf& leaf, const CellTree& tree);
 

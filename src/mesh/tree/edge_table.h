@@ -34,7 +34,7 @@ enum class FeatureKind : std::uint8_t {
   Crease,     ///< its normal jumps
   Essential,  ///< one of them is a point without limit: PointSingularity::Kind::Essential
   Face,       ///< it leaves the clip box, on its way to infinity
-  Cliff,      ///< it rises steeply along a straight segment; it is continuous
+  Cliff,      ///< it rises steeply along a few straight segments; it is continuous
 };
 
 /// Whether the mesh leaves out what is between such a feature and the corners of a leaf.
@@ -53,7 +53,7 @@ struct EdgeFeature {
   /// The numbers of the faces through which the surface leaves the clip box there, beside a pole.
   std::array<std::uint8_t, 2> exits = {};
   /// The first of two vertices for each strip between those beside the feature, in their order: of
-  /// thin sheets between jumps, or of a cliff, with its normals at the places of those beside it.
+  /// thin sheets between jumps, or of the segments of a cliff, each with normals of its own.
   std::uint32_t first_on_strips = kNoIndex;
   std::uint8_t strips = 0;
 

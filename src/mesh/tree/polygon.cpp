@@ -7,6 +7,9 @@
 #include <tuple>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
+#include "base/numbers.h"
 #include "mesh/grid/grid.h"
 #include "mesh/grid/triangulate.h"
 #include "mesh/model/tolerances.h"
@@ -199,8 +202,41 @@ double rounding_of_area(std::span<const PolygonCorner> polygon) {
   return 2 * rounding * reach;
 }
 
-void triangulate_polygon(const Grid& grid, std::vector<PolygonCorner> polygon,
-                         Array<Triangle>& triangles) {
+std::vector<Polygon> strips_between(std::span<const PolygonCorner> a,
+                                    std::span<const PolygonCorner> b) {
+  std::vector<Polygon> strips;
+  const auto share = [](std::span<const PolygonCorner> on, std::size_t k) {
+    return glm::distance(on[k].place, on.front().place) /
+           glm::distance(on.back().place, on.front().place);
+  };
+  std::size_t i = 0;         // segments of a that are done
+  std::size_t j = b.size();  // corners of b that are not
+  while (i < a.size() || j > 0) {
+    // The next ends of segments, as shares from the first corner of a and the last of b.
+    const double next_a = i < a.size() ? share(a, i + 1) : kInfinity;
+    const double next_b = j > 0 ? 1 - share(b, j - 2) : kInfinity;
+    const bool are_alike = a.size() == b.size();
+    const bool takes_a = i < a.size() && (are_alike || next_a <= next_b);
+    const bool takes_b = j > 0 && (are_alike || next_b <= next_a);
+    Polygon strip;
+    if (takes_a) {
+      strip = {a[i], a[i + 1]};
+    } else {
+      strip = {i < a.size() ? a[i] : a.back()};
+    }
+    if (takes_b) {
+      strip.insert(strip.end(), {b[j - 2], b[j - 1]});
+    } else {
+      strip.push_back(j > 0 ? b[j - 1] : b.front());
+    }
+    strips.push_back(std::move(strip));
+    if (takes_a) i += 2;
+    if (takes_b) j -= 2;
+  }
+  return strips;
+}
+
+void triangulate_polygon(const Grid& grid, Polygon polygon, Array<Triangle>& triangles) {
   const bool is_at_pole = polygon.size() > 3 && has_pole(grid.mesh, polygon);
   const std::vector<PointPair> taken =
       is_at_pole ? sides_that_meet(grid.mesh, polygon) : std::vector<PointPair>();

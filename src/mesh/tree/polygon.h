@@ -20,6 +20,8 @@ struct PolygonCorner {
   dvec2 place;
 };
 
+using Polygon = std::vector<PolygonCorner>;
+
 /// Bound on the distance of a feature's place from its side, in units of the cell tree. The place
 /// is an interpolation between the ends of the side, which are exact.
 inline double rounding_of_place(const dvec2& place) {
@@ -42,11 +44,16 @@ double doubled_area_of(std::span<const PolygonCorner> polygon);
 /// of features' places.
 double rounding_of_area(std::span<const PolygonCorner> polygon);
 
+/// Polygons between two rows of segments, which are on two sides of a polygon. A row has two
+/// corners for each segment, on the way around. Where one has more segments, triangles take them
+/// up.
+std::vector<Polygon> strips_between(std::span<const PolygonCorner> a,
+                                    std::span<const PolygonCorner> b);
+
 /// Triangulates a simple polygon, counter-clockwise in (u, v); several corners may lie on one
 /// straight side. Cuts off ears of positive area in (u, v), the smallest sagitta of a chord first.
 /// Appends to `triangles`, counter-clockwise seen from the front, without triangles that have no
 /// area in space.
-void triangulate_polygon(const Grid& grid, std::vector<PolygonCorner> polygon,
-                         Array<Triangle>& triangles);
+void triangulate_polygon(const Grid& grid, Polygon polygon, Array<Triangle>& triangles);
 
 }  // namespace saddle

@@ -1,4 +1,4 @@
-// Cliffs: parts of lines in which a continuous surface rises along a straight segment, and the
+// Cliffs: parts of lines in which a continuous surface rises along a segment or a few, and the
 // strips of triangles that show them.
 #include <gtest/gtest.h>
 
@@ -7,10 +7,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "base/vec.h"
 #include "mesh/features/cliffs.h"
 #include "mesh/mesher/mesh_plan.h"
 #include "mesh/mesher/mesher.h"
@@ -26,7 +27,7 @@ namespace {
 constexpr double kDelta = 1e-3;
 
 /// The cliff along v = 0.1 from u = -1 to 1.
-std::optional<Line> cliff_of(const char* z) {
+Cliff cliff_of(const char* z) {
   const Surface surface = height_field(z);
   const std::array<Line, 1> line = {{{dvec2(-1, 0.1), dvec2(1, 0.1)}}};
   std::size_t work = 0;
@@ -35,16 +36,16 @@ std::optional<Line> cliff_of(const char* z) {
 
 TEST(Cliffs, AreFoundFromFootToHead) {
   // z rises from u = 0.3 to 0.3001; a sheet may be left up to a sixteenth of delta on.
-  const std::optional<Line> ramp = cliff_of("clamp(1e4*(u-0.3),0,1)");
-  ASSERT_TRUE(ramp);
-  EXPECT_NEAR((*ramp)[0].x, 0.3, 4e-6);
-  EXPECT_NEAR((*ramp)[1].x, 0.3001, 4e-6);
-  EXPECT_EQ((*ramp)[0].y, 0.1);
-  // 1 - tanh(x) = delta/16 at x = 5.19. At 1e4 the rounded ends would be too far from a segment.
-  const std::optional<Line> smooth = cliff_of("tanh(1e5*(u-0.3))");
-  ASSERT_TRUE(smooth);
-  EXPECT_NEAR((*smooth)[0].x, 0.3 - 5.19e-5, 4e-6);
-  EXPECT_NEAR((*smooth)[1].x, 0.3 + 5.19e-5, 4e-6);
+  const Cliff ramp = cliff_of("clamp(1e4*(u-0.3),0,1)");
+  ASSERT_EQ(ramp.size(), 2U);
+  EXPECT_NEAR(ramp[0].x, 0.3, 4e-6);
+  EXPECT_NEAR(ramp[1].x, 0.3001, 4e-6);
+  EXPECT_EQ(ramp[0].y, 0.1);
+  // 1 - tanh(x) = delta/16 at x = 5.19.
+  const Cliff smooth = cliff_of("tanh(1e5*(u-0.3))");
+  ASSERT_EQ(smooth.size(), 2U);
+  EXPECT_NEAR(smooth[0].x, 0.3 - 5.19e-5, 4e-6);
+  EXPECT_NEAR(smooth[1].x, 0.3 + 5.19e-5, 4e-6);
 }
 
 TEST(Cliffs, AreFoundWholeWhereHalfOfOneRisesLikeItsSlopes) {
@@ -56,10 +57,10 @@ TEST(Cliffs, AreFoundWholeWhereHalfOfOneRisesLikeItsSlopes) {
     lines.push_back({dvec2(0, middle - 1.0 / 1920), dvec2(0, middle + 1.0 / 1920)});
   }
   std::size_t work = 0;
-  for (const std::optional<Line>& cliff : find_cliffs(wall, lines, 0.003, 1, work)) {
-    ASSERT_TRUE(cliff);
-    EXPECT_NEAR((*cliff)[0].y, 0, 1e-5);
-    EXPECT_NEAR((*cliff)[1].y, 0.0003094, 1e-5);
+  for (const Cliff& cliff : find_cliffs(wall, lines, 0.003, 1, work)) {
+    ASSERT_EQ(cliff.size(), 2U);
+    EXPECT_NEAR(cliff[0].y, 0, 1e-5);
+    EXPECT_NEAR(cliff[1].y, 0.0003094, 1e-5);
   }
 }
 
@@ -67,8 +68,68 @@ TEST(Cliffs, AreNotSlopesWavesOrPoles) {
   for (const char* z :
        {"u", "u^2/2", "clamp(u,-0.9,0.9)", "sin(1e4*u)", "sin(40*u)", "1/(u-0.3)",
         "clamp(1e4*(u-0.3),0,1)+clamp(1e4*(u+0.6),0,1)+1e9*u^2", "clamp(1e4*(u-0.3),0,1e-4)"}) {
-    EXPECT_FALSE(cliff_of(z)) << z;
+    EXPECT_TRUE(cliff_of(z).empty()) << z;
   }
+}
+
+/// The angle that a rounded edge of radius 0.1 turns by, 1.2 rad, while g grows by 1e-6.
+std::string turned_where(const std::string& g) {
+  return "clamp(1e6*(" + g + "),0,1.2)";
+}
+
+TEST(Cliffs, GoAroundEdgesInSegments) {
+  const std::string angle = turned_where("u-0.3");
+  const Surface surface =
+      surface_from_text("u+0.1*sin(" + angle + ")", "v", "0.1-0.1*cos(" + angle + ")",
+                        {-1, 1, -1, 1}, {}, Order::Second);
+  const std::array<Line, 1> line = {{{dvec2(-1, 0.1), dvec2(1, 0.1)}}};
+  std::size_t work = 0;
+  const Cliff cliff = find_cliffs(surface, line, kDelta, 1, work)[0];
+  // Chords that are a quarter of delta below an arc of radius 0.1 turn by 0.14 at most.
+  EXPECT_GT(cliff.size(), 9U);
+  EXPECT_LT(cliff.size(), 14U);
+  EXPECT_NEAR(cliff.front().x, 0.3, 1e-6);
+  EXPECT_NEAR(cliff.back().x, 0.3000012, 1e-6);
+  const std::vector<dvec3> p = evaluate_positions(surface, cliff, 1);
+  const dvec3 centre(0.3, 0.1, 0.1);
+  for (std::size_t k = 1; k < p.size(); ++k)
+    EXPECT_LT(0.1 - glm::distance(0.5 * (p[k - 1] + p[k]), centre), 0.26 * kDelta) << k;
+}
+
+TEST(Cliffs, AreSmoothStripsAroundEdges) {
+  // The edge of a disc; what is around it has moved away by the edge's radius.
+  const double radius = 0.69;
+  const double most = 1.2;
+  const std::string angle = turned_where("hypot(u,v)-0.69");
+  const std::string stretched = "*(1+0.1*sin(" + angle + ")/max(hypot(u,v),0.1))";
+  const Surface surface =
+      surface_from_text("u" + stretched, "v" + stretched, "0.1-0.1*cos(" + angle + ")",
+                        {-1, 1, -1, 1}, {}, Order::Second);
+  const MeshResult result = try_mesh(surface, within_share(1e-3, 3)).value();
+  const Mesh& mesh = result.mesh;
+  EXPECT_LT(mesh.triangles.size(), 3000U);
+  EXPECT_LE(result.report.max_error, *result.report.tolerance);
+  double farthest = 0;
+  double most_turned = 0;
+  const auto& position = mesh.position;
+  for (const auto& t : mesh.triangles) {
+    const dvec3 p = (position[t[0]] + position[t[1]] + position[t[2]]) / 3.0;
+    const double r = std::hypot(p.x, p.y);
+    // From the disc, the plane around it, and the arc between them.
+    double nearest = std::hypot(std::max(0.0, r - radius), p.z);
+    nearest = std::min(nearest, std::hypot(std::max(0.0, radius + 0.1 * std::sin(most) - r),
+                                           p.z - 0.1 + 0.1 * std::cos(most)));
+    const double on_arc = std::atan2(r - radius, 0.1 - p.z);
+    if (on_arc >= 0 && on_arc <= most)
+      nearest = std::min(nearest, std::fabs(std::hypot(r - radius, 0.1 - p.z) - 0.1));
+    farthest = std::max(farthest, nearest);
+    const dvec3 area = glm::cross(position[t[1]] - position[t[0]], position[t[2]] - position[t[0]]);
+    if (!(glm::length(area) > 1e-7)) continue;  // slivers beside vertices on the edge
+    for (const std::uint32_t k : t)
+      most_turned = std::max(most_turned, degrees_between(glm::normalize(area), mesh.normal[k]));
+  }
+  EXPECT_LT(farthest, 1.05 * *result.report.tolerance);
+  EXPECT_LT(most_turned, 20);
 }
 
 TEST(Cliffs, AreStripsOfFewTriangles) {

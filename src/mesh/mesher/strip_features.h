@@ -1,5 +1,5 @@
-// Jumps close to each other on the sides of leaves, and the thin sheets between them, as one edge
-// feature.
+// Features of sides that have strips: jumps close to each other, with the thin sheets between them,
+// and cliffs, with their segments.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/features/cliffs.h"
 #include "mesh/features/discontinuities.h"
 #include "mesh/mesher/trace_options.h"
 #include "mesh/tree/edge_table.h"
@@ -20,6 +21,12 @@ class CellTree;
 std::vector<bool> add_strips(std::span<const Side> sides,
                              std::span<const LocatedDiscontinuity> found, double delta,
                              const TraceOptions& options, CellTree& tree);
+
+/// Records a cliff on each side. Each segment has two vertices of its own; foot and head have one
+/// more each, with the normal of the sheet. An end of a side is the sheet's if the cliff begins
+/// there.
+void add_cliffs(std::span<const Side> sides, std::span<const Cliff> cliffs, unsigned threads,
+                CellTree& tree);
 
 /// The vertex whose place a feature takes: an end of its side within rounding, else the first
 /// vertex beside it.
