@@ -204,9 +204,8 @@ PngText read_text(const Reader& reader) {
   return text;
 }
 
-[[noreturn]] void fail_damaged(const std::string& name, const Reader& reader) {
-  throw Error(Status::Input,
-              name + " is a damaged PNG file: " + std::string(reader.message.data()));
+[[noreturn]] void fail_damaged(const std::string& name, std::string_view reason) {
+  throw Error(Status::Input, name + " is a damaged PNG file: " + std::string(reason));
 }
 
 }  // namespace
@@ -252,20 +251,35 @@ void check_sides(std::string_view bytes, const std::string& name) {
                                  std::to_string(kLargestSide) + " each way are read");
 }
 
+/// Throws Error (Input) for a chunk that claims more bytes than the file has: libpng clears memory
+/// for all of them before it reads the first.
+void check_chunks(std::string_view bytes, const std::string& name) {
+  constexpr std::size_t kSignature = 8;
+  constexpr std::size_t kBeforeData = 8;  // length and name
+  constexpr std::size_t kAfterData = 4;   // the checksum
+  std::string_view rest = bytes.substr(kSignature);
+  while (rest.size() >= kBeforeData && rest.substr(4, 4) != std::string_view("IEND")) {
+    const std::size_t length = png_get_uint_32(reinterpret_cast<png_const_bytep>(rest.data()));
+    if (length > rest.size() - kBeforeData) fail_damaged(name, "the file ends too early");
+    rest.remove_prefix(std::min(rest.size(), kBeforeData + length + kAfterData));
+  }
+}
+
 }  // namespace
 
 PngFile decode_png(const std::string& bytes, const std::string& name) {
   if (!is_png(bytes)) throw Error(Status::Input, name + " is not a PNG file");
   check_sides(bytes, name);
+  check_chunks(bytes, name);
   Reader reader(bytes);
   if (reader.info == nullptr) throw Error(Status::Machine, "libpng cannot be started");
   png_uint_32 width = 0;
   png_uint_32 height = 0;
-  if (!decode_header(reader, width, height)) fail_damaged(name, reader);
+  if (!decode_header(reader, width, height)) fail_damaged(name, reader.message.data());
   PngFile result{Image(static_cast<int>(width), static_cast<int>(height)), {}};
   std::vector<png_bytep> rows(height);
   for (png_uint_32 y = 0; y < height; ++y) rows[y] = result.image.pixel(0, static_cast<int>(y));
-  if (!decode_pixels(reader, rows)) fail_damaged(name, reader);
+  if (!decode_pixels(reader, rows)) fail_damaged(name, reader.message.data());
   result.text = read_text(reader);
   return result;
 }

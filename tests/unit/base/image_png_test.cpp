@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <png.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -323,6 +324,22 @@ TEST(ReadPng, RefusesAFileThatWasCutOffAnywhere) {
   for (std::size_t size = 0; size < png.size(); ++size) {
     EXPECT_EQ(status_of_reading(TestFile(png.substr(0, size)).path()), Status::Input) << size;
   }
+}
+
+TEST(ReadPng, TakesNoMemoryForAChunkThatIsNotThere) {
+  // A text of 1.9 GB, in a file of some hundred bytes.
+  std::string png = written(pattern(9, 9, true), {{"saddle", "text"}});
+  const std::size_t name = png.find("iTXt");
+  ASSERT_NE(name, std::string::npos);
+  png.replace(name - 4, 4, std::string("\x70\0\0\0", 4));
+  const auto most_kilobytes = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+  };
+  const long before = most_kilobytes();
+  EXPECT_EQ(status_of_reading(TestFile(png).path()), Status::Input);
+  EXPECT_LT(most_kilobytes() - before, 500'000);
 }
 
 TEST(ReadPng, NeverCrashesOnAFileWithAWrongByte) {
