@@ -144,6 +144,8 @@ def main():
         cases = [case for case in chosen.cases(seed, count)
                  if (not options.kind or case.kind in options.kind)
                  and (not options.only or case.number in options.only)]
+    if not cases:
+        parser.error("no such surface; --list shows them all")
     # All kinds in turn: a run that is stopped is a sample of all of them.
     cases.sort(key=lambda case: case.number * 0.6180339887 % 1)
     if options.list:

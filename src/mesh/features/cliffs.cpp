@@ -153,8 +153,19 @@ void find_ends(const Surface& surface, double delta, unsigned threads,
     return std::fabs(search.beyond - search.last) <= kNearEnd * way;
   };
   bisect_together(surface, sheets, open, kHalvingsToEdge, threads, next, is_done);
-  for (std::size_t i = 0; i < sheets.size(); ++i)
-    searches[numbers[i / 2]].ends[i % 2].share = sheets[i].last;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    CliffSearch& search = searches[numbers[i]];
+    const std::array found = {sheets[2 * i].last, sheets[2 * i + 1].last};
+    // An end of the line that is as steep as the cliff is on the cliff, and not on a sheet.
+    const double rise = glm::distance(search.ends[0].position, search.ends[1].position);
+    const auto is_on_cliff = [&](const Place& end) {
+      const bool is_end_of_line = end.share == 0 || end.share == 1;
+      return is_end_of_line && glm::length(end.slope) * (found[1] - found[0]) > rise;
+    };
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (!is_on_cliff(search.ends[end])) search.ends[end].share = found[end];
+    }
+  }
 }
 
 /// Makes a cliff long enough to have two ends on its line: a narrower one takes in a little of the
@@ -210,10 +221,11 @@ double share_on(const CliffSearch& search, std::size_t k, std::size_t count) {
   return glm::mix(search.ends[0].share, search.ends[1].share, share);
 }
 
-/// Whether the surface goes on as a sheet beyond an end of a cliff that is an end of its line: a
-/// needle's flank ends there, too. At an edge of the domain there is nothing beyond.
-bool has_sheets_beyond(const Surface& surface, const CliffSearch& search, double delta,
-                       std::size_t& work) {
+/// Whether a cliff that reaches an end of its line goes on there as a sheet, or rises on in the
+/// same direction: a vertex may be on the cliff. The flank of a needle turns back. At an edge of
+/// the domain there is nothing beyond.
+bool goes_on_beyond(const Surface& surface, const CliffSearch& search, double delta,
+                    std::size_t& work) {
   const ParameterBox domain = box_of(surface.domain);
   const double width = search.ends[1].share - search.ends[0].share;
   for (const double end : {0.0, 1.0}) {
@@ -228,8 +240,9 @@ bool has_sheets_beyond(const Surface& surface, const CliffSearch& search, double
     work += points.size();
     const Place sheet = search.place(share, points[0]);
     const dvec3 way = (end - share) * sheet.slope;
-    if (!(glm::distance(points[1].position, sheet.position + way) <= kExplained * delta))
-      return false;
+    const dvec3 rest = sheet.position + way - points[1].position;
+    const dvec3 to_end = points[1].position - search.ends[end == 0 ? 1 : 0].position;
+    if (!(glm::length(rest) <= kExplained * delta || glm::dot(rest, to_end) > 0)) return false;
   }
   return true;
 }
@@ -303,8 +316,8 @@ std::vector<Cliff> find_cliffs(const Surface& surface, std::span<const Line> lin
     curved.push_back(k);
     return std::vector<std::size_t>{};
   });
-  std::erase_if(
-      curved, [&](std::size_t k) { return !has_sheets_beyond(surface, searches[k], delta, work); });
+  std::erase_if(curved,
+                [&](std::size_t k) { return !goes_on_beyond(surface, searches[k], delta, work); });
   add_from(curved, kPlacesOnSegments, [&](std::size_t, std::span<const dvec3> on_cliff) {
     return ends_of_segments(on_cliff, delta);
   });

@@ -77,6 +77,14 @@ std::string turned_where(const std::string& g) {
   return "clamp(1e6*(" + g + "),0,1.2)";
 }
 
+TEST(Cliffs, GoThroughVertices) {
+  // Every vertex on the diagonal of the domain is in the middle of the wall.
+  const MeshResult result =
+      try_mesh(height_field("1/(1+exp(-1.485e5*(u-v)))"), within_share(1e-3)).value();
+  EXPECT_LE(result.report.max_error, *result.report.tolerance);
+  EXPECT_LT(result.mesh.triangles.size(), 1000U);
+}
+
 TEST(Cliffs, GoAroundEdgesInSegments) {
   const std::string angle = turned_where("u-0.3");
   const Surface surface =
