@@ -25,7 +25,7 @@ void mesh_of_grid(benchmark::State& state, const BenchSurface& formula, unsigned
   const Surface surface = compile_surface(formula);
   GridOptions options;
   options.cells_u = options.cells_v = kCells;
-  options.lines = {0, 0};
+  options.lines_u = options.lines_v = 0;
   options.threads = threads;
   for (auto _ : state) benchmark::DoNotOptimize(mesh_on_grid(surface, options));
   per_vertex(state);

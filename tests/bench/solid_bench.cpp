@@ -28,7 +28,7 @@ class Nowhere : public std::streambuf {
 Mesh million(const BenchSurface& formula) {
   GridOptions options;
   options.cells_u = options.cells_v = kSolidCells;
-  options.lines = {0, 0};
+  options.lines_u = options.lines_v = 0;
   options.threads = 1;
   return mesh_on_grid(compile_surface(formula), options).mesh;
 }
