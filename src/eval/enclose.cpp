@@ -34,6 +34,10 @@ Interval enclose(Op op, [[maybe_unused]] const Interval& a, [[maybe_unused]] con
     case Op::Constant:
     case Op::Variable:
       break;
+    case Op::Hull:
+      return hull(a, b);
+    case Op::Narrow:
+      return narrow(a, b, c);
 #define SADDLE_ARGUMENTS_1 a
 #define SADDLE_ARGUMENTS_2 a, b
 #define SADDLE_ARGUMENTS_3 a, b, c

@@ -36,6 +36,21 @@ Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.low, b.low), std::max(a.high, b.high), defined, a.continuous && b.continuous};
 }
 
+Interval narrow(const Interval& natural, const Interval& slope, const Interval& function) {
+  /// What doubles round of the function's two values, in parts of it: a hundred steps of its
+  /// formula that do not cancel.
+  constexpr double kRounding = 100 * rounding::kRoundoff;
+  const bool is_proved =
+      slope.defined == Defined::Yes && function.defined == Defined::Yes && function.continuous;
+  if (!is_proved) return natural;
+  const double size = std::max(std::fabs(function.low), std::fabs(function.high));
+  const double error = 2 * kRounding * size;
+  const double low = std::max(natural.low, rounding::sum_down(slope.low, -error));
+  const double high = std::min(natural.high, rounding::sum_up(slope.high, error));
+  if (!(low <= high)) return natural;
+  return {low, high, Defined::Yes, true};
+}
+
 namespace rounding {
 
 Interval careful_product(const Interval& a, const Interval& b) {
@@ -75,17 +90,30 @@ Interval sqr(const Interval& a) {
 
 namespace {
 
+/// The error of a quotient: none where 53 bits hold its product with the divisor, and that is the
+/// dividend. A jump of floor(u/2) at u = 2 is nowhere else.
+double quotient_error(double quotient, double dividend, double divisor) {
+  const bool is_exact =
+      trailing_zeros(quotient, quotient) + trailing_zeros(divisor, divisor) >= 53 &&
+      quotient * divisor == dividend;
+  return is_exact ? 0 : kRoundoff;
+}
+
 /// a / b for b > 0, or for b >= 0 with b.high > 0: where b is 0 it is left out.
 Interval quotient_by_positive(const Interval& a, const Interval& b) {
   Interval r = with_decorations_of(a, b);
   if (is_zero(a)) return r;
   // Only an end of a with the sign that b = 0 makes endless is divided by b.low.
-  const double low = a.low / (a.low < 0 ? b.low : b.high);
-  const double high = a.high / (a.high > 0 ? b.low : b.high);
+  const double below = a.low < 0 ? b.low : b.high;
+  const double above = a.high > 0 ? b.low : b.high;
+  const double low = a.low / below;
+  const double high = a.high / above;
   const bool tiny_low = std::fabs(low) < kUnderflow;
   const bool tiny_high = std::fabs(high) < kUnderflow;
-  r.low = !tiny_low ? down(low, kRoundoff) : a.low >= 0 ? 0 : -kUnderflow;
-  r.high = !tiny_high ? up(high, kRoundoff) : a.high <= 0 ? 0 : kUnderflow;
+  r.low = !tiny_low ? down(low, quotient_error(low, a.low, below)) : a.low >= 0 ? 0 : -kUnderflow;
+  r.high = !tiny_high    ? up(high, quotient_error(high, a.high, above))
+           : a.high <= 0 ? 0
+                         : kUnderflow;
   return r;
 }
 

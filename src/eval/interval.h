@@ -18,6 +18,11 @@ Interval constant_interval(double value);
 /// All values of either.
 Interval hull(const Interval& a, const Interval& b);
 
+/// The difference of a function at two places. `natural` is its enclosure by both values; `slope`
+/// what it is by the mean value theorem, if `function`, its values between the places, are defined
+/// and continuous there.
+Interval narrow(const Interval& natural, const Interval& slope, const Interval& function);
+
 namespace rounding {
 
 /// Products with bounds that are infinite, tiny or too large.

@@ -179,6 +179,8 @@ void sin_cos(double* sin, double* cos, const double* in, size_t count) {
 constexpr Kernel kLoops[] = {
     nullptr,  // Op::Constant
     nullptr,  // Op::Variable
+    nullptr,  // Op::Hull
+    nullptr,  // Op::Narrow
 #define SADDLE_OP(id, ...) &run<id##Row>,
 #include "formula/ops.def"
 };

@@ -15,7 +15,7 @@ constexpr double kTwoOverSqrtPi = 1.128379167095512573896159;
 
 /// Leaves are finite.
 Infinite infinite(Op op) {
-  return arity(op) == 0 ? Infinite::Never : row_of(op).infinite;
+  return has_row(op) ? row_of(op).infinite : Infinite::Never;
 }
 
 /// Whether an operation exceeds the largest of doubles at common arguments. cosh and sinh do so
@@ -97,6 +97,8 @@ struct ChainRule {
     switch (op) {
       case Op::Constant:
       case Op::Variable:
+      case Op::Hull:
+      case Op::Narrow:
         break;
 #define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, js, function, kind, infinite, \
                   numbers, derivative)                                                            \

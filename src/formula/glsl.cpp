@@ -64,6 +64,8 @@ std::string_view glsl_text(Op op) {
   switch (op) {
     case Op::Constant:
     case Op::Variable:
+    case Op::Hull:
+    case Op::Narrow:
       break;
 #define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, ...) \
   case Op::id:                                                           \

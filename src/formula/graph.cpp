@@ -13,6 +13,8 @@ double apply(Op op, [[maybe_unused]] double a, [[maybe_unused]] double b,
   switch (op) {
     case Op::Constant:
     case Op::Variable:
+    case Op::Hull:
+    case Op::Narrow:
       break;
 #define SADDLE_OP(id, name, arity, help, value, ...) \
   case Op::id:                                       \

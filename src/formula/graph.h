@@ -13,10 +13,13 @@
 
 namespace saddle {
 
-/// Every operation a node can be. The rows of formula/ops.def, after the two kinds of leaves.
+/// Every operation a node can be. The rows of formula/ops.def, after the two kinds of leaves and
+/// two operations that only enclosures have: formula/differences.h.
 enum class Op : std::uint8_t {
   Constant,
   Variable,
+  Hull,    ///< all values between two
+  Narrow,  ///< a difference, its value by the mean value theorem, and the function in between
 #define SADDLE_OP(id, ...) id,
 #include "formula/ops.def"
 #undef SADDLE_OP
@@ -26,13 +29,14 @@ enum class Op : std::uint8_t {
 inline int arity(Op op) {
   static constexpr std::array<std::uint8_t, 256> kArities = {
       0, 0,  // the leaves
+      2, 3,  // Hull and Narrow
 #define SADDLE_OP(id, name, arity, ...) arity,
 #include "formula/ops.def"
   };
   return kArities[static_cast<std::size_t>(op)];
 }
 
-/// The operation applied to numbers; the arguments past its arity are ignored.
+/// The operation of the table applied to numbers; the arguments past its arity are ignored.
 double apply(Op op, double a, double b = 0, double c = 0);
 
 using NodeId = std::uint32_t;

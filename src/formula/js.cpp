@@ -26,6 +26,8 @@ std::string_view js_text(Op op) {
   switch (op) {
     case Op::Constant:
     case Op::Variable:
+    case Op::Hull:
+    case Op::Narrow:
       break;
 #define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, js, ...) \
   case Op::id:                                                               \

@@ -45,7 +45,12 @@ inline constexpr std::array kOperations = {
 #include "formula/ops.def"
 };
 
-/// The row of an operation that is no leaf.
+/// Whether an operation has a row: leaves and the operations of enclosures alone have none.
+inline bool has_row(Op op) {
+  return op >= kOperations[0].op;
+}
+
+/// The row of an operation that has one.
 inline const Operation& row_of(Op op) {
   return kOperations[static_cast<std::size_t>(op) - static_cast<std::size_t>(kOperations[0].op)];
 }
@@ -56,7 +61,7 @@ inline bool takes_an_order(Op op) {
 
 /// Whether the bounds of an operation take much longer than those of most.
 inline bool is_special(Op op) {
-  return row_of(op).kind == Kind::Special || takes_an_order(op);
+  return has_row(op) && (row_of(op).kind == Kind::Special || takes_an_order(op));
 }
 
 /// A row's text in another language, with the words a, b and c replaced by the arguments.

@@ -236,6 +236,8 @@ Real apply_exactly(Op op, const Real& a, const Real& b, const Real& c) {
   switch (op) {
     case Op::Constant:
     case Op::Variable:
+    case Op::Hull:
+    case Op::Narrow:
       break;
     case Op::Neg:
       return -a;

@@ -9,6 +9,7 @@
 #include "base/run_limits.h"
 #include "eval/batch.h"
 #include "eval/vectors.h"
+#include "formula/differences.h"
 #include "surface/forms.h"
 
 namespace saddle {
@@ -103,7 +104,8 @@ Surface make_surface(Graph& graph, const std::array<NodeId, 3>& r, const Domain&
   surface.normals = compile(graph, normal_outputs(graph, tangents));
   if (order == Order::Second) {
     surface.curvatures = compile(graph, curvature_outputs(graph, tangents));
-    surface.bounds = compile(graph, second_order_outputs(graph, tangents), Powers::Whole);
+    surface.bounds = compile(
+        graph, narrow_differences(graph, second_order_outputs(graph, tangents)), Powers::Whole);
   }
   surface.tangents.count = std::make_shared<PointCount>();
   surface.normals.count = surface.curvatures.count = surface.bounds.count = surface.tangents.count;

@@ -95,6 +95,15 @@ TEST(Interval, DivisionByABoxThatEndsAtZeroIsBoundedOnOneSide) {
   expect_pole(Interval{1, 2} / Interval{0, 4});
 }
 
+/// floor(u/3) jumps at u = 6, and nowhere beside it.
+TEST(Interval, DivisionIsExactWhereTheQuotientIs) {
+  expect_exact(Interval{6, 7.5} / Interval{3, 3}, 2, 2.5);
+  expect_exact(mod({6, 6}, {3, 3}), 0, 0);
+  expect_proved(mod({6, 6}, {3, 3}));
+  const Interval third = Interval{1, 1} / Interval{3, 3};
+  EXPECT_LT(third.low, third.high);
+}
+
 TEST(Interval, DivisionByZeroIsUndefined) {
   EXPECT_EQ((Interval{1, 2} / Interval{0, 0}).defined, Defined::No);
   EXPECT_EQ((Interval{0, 0} / Interval{0, 0}).defined, Defined::No);

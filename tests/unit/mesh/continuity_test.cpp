@@ -85,8 +85,8 @@ TEST(Continuity, IsNotProvedOnEitherSideOfAKnownBreak) {
 }
 
 TEST(Continuity, IsGivenUpSoonWhereBoundsAreTooWide) {
-  // The bounds of the difference, which is 1 to rounding, hold 0.
-  const Surface surface = height_field("1/(((u+1e-9)-u)/1e-9)");
+  // The bounds of the difference, which is the slope of e^u to rounding, hold 0.
+  const Surface surface = height_field("1/((exp(u+1e-9)-e^u)/1e-9)");
   std::size_t boxes = 0;
   const auto parts = unproved(surface, lines_along_u(), 1e-3, boxes);
   EXPECT_EQ(parts.size(), kMostLineParts * kLines);  // all of each line
@@ -95,7 +95,7 @@ TEST(Continuity, IsGivenUpSoonWhereBoundsAreTooWide) {
 
 TEST(Continuity, IsProvedWhereBoundsAreTooWideForLongParts) {
   // A part is proved if it is shorter than the step: 1/25 of a line.
-  const Surface surface = height_field("1/(((u+2e-3)-u)/2e-3)");
+  const Surface surface = height_field("1/((exp(u+2e-3)-e^u)/2e-3)");
   std::size_t boxes = 0;
   EXPECT_TRUE(unproved(surface, lines_along_u(), 1e-3, boxes).empty());
 }
