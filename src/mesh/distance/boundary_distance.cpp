@@ -36,7 +36,13 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
     delta_ = std::min(delta_, allowed);
     add_flat_sheets(leaf, number, allowed);
     if (!triangles.empty() && close_jumps_.add(leaf, number, triangles)) return;
-    if (!triangles.empty()) return add_chords(leaf, number, triangles, FeatureKind::Jump);
+    if (!triangles.empty()) {
+      const std::size_t first = jumps_.size();
+      add_chords(leaf, number, triangles, FeatureKind::Jump);
+      const bool is_slight = has_slight_jump(leaf, allowed);
+      for (EdgeChord& chord : std::span(jumps_).subspan(first)) chord.is_at_slight_jump = is_slight;
+      return;
+    }
   } else {
     if (leaf.state.cut() != LeafCut::Boundary) return;
     if (strips_.add(leaf, number, triangles, allowed)) {

@@ -58,6 +58,7 @@ class BoundaryDistance {
     std::optional<dvec2> outside;
     bool is_at_face;  ///< of a leaf that ends on the box beside a pole
     bool is_at_cliff = false;
+    bool is_at_slight_jump = false;
   };
   void add_chords(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
                   FeatureKind kind);
@@ -72,7 +73,8 @@ class BoundaryDistance {
                             const dvec2& uv, const SurfacePoint& point) const;
   void follow_outside(std::span<const std::array<dvec2, 2>> ways, std::vector<dvec2>& ends) const;
   std::vector<std::optional<SheetEnd>> ends_of_sheets();
-  void end_at_jumps(std::span<const std::size_t> numbers,
+  bool has_slight_jump(const Leaf& leaf, double allowed) const;
+  void end_at_jumps(std::span<const std::size_t> numbers, double least,
                     std::vector<std::optional<SheetEnd>>& ends);
   void end_at_cliffs(std::span<const std::size_t> numbers,
                      std::vector<std::optional<SheetEnd>>& ends);

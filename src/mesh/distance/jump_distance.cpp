@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "mesh/distance/boundary_distance.h"
 #include "mesh/distance/sampled_error.h"
@@ -12,28 +13,68 @@
 #include "mesh/model/clip.h"
 #include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/tree/cell_tree.h"
 
 namespace saddle {
+
+namespace {
+
+/// Lines of jumps end where they are smaller than a quarter of the tolerance: kClosed in
+/// mesh/mesher/edge_features.cpp. Along slight ones sheets end at jumps of half of that, and other
+/// jumps of up to a tolerance do not count.
+constexpr double kSlight = 2;
+constexpr double kLeastJump = 0.125;
+
+}  // namespace
 
 /// Where sheets end on the ways across chords: at jumps, or at the foot or head of a cliff.
 std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_of_sheets() {
   std::vector<std::size_t> at_jumps;
+  std::vector<std::size_t> at_slight_jumps;
   std::vector<std::size_t> at_cliffs;
-  for (std::size_t k = 0; k < jumps_.size(); ++k)
-    (jumps_[k].is_at_cliff ? at_cliffs : at_jumps).push_back(k);
+  for (std::size_t k = 0; k < jumps_.size(); ++k) {
+    const EdgeChord& chord = jumps_[k];
+    (chord.is_at_cliff         ? at_cliffs
+     : chord.is_at_slight_jump ? at_slight_jumps
+                               : at_jumps)
+        .push_back(k);
+  }
   std::vector<std::optional<SheetEnd>> ends(jumps_.size());
-  if (!at_jumps.empty()) end_at_jumps(at_jumps, ends);
+  if (!at_jumps.empty()) end_at_jumps(at_jumps, delta_, ends);
+  if (!at_slight_jumps.empty()) end_at_jumps(at_slight_jumps, kLeastJump * delta_, ends);
   if (!at_cliffs.empty()) end_at_cliffs(at_cliffs, ends);
   return ends;
 }
 
-/// Follows ways that leave their leaf where the next one has nothing of the sheet.
-void BoundaryDistance::end_at_jumps(std::span<const std::size_t> numbers,
+/// Whether a jump on the sides of a leaf is so small that its line may end in the leaf.
+bool BoundaryDistance::has_slight_jump(const Leaf& leaf, double allowed) const {
+  const auto& position = grid_.mesh.position;
+  bool has = false;
+  for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) {
+    const auto feature = tree_.edges().feature(a, b);
+    if (!feature || feature->kind != FeatureKind::Jump) return;
+    std::uint32_t before = feature->beside(a);
+    const auto cross_to = [&](std::uint32_t after) {
+      has = has || glm::distance(position[before], position[after]) < kSlight * allowed;
+    };
+    for (std::size_t k = 0; k < feature->strips; ++k) {
+      const auto [near, far] = feature->on_strip(k, a);
+      cross_to(near);
+      before = far;
+    }
+    cross_to(feature->beside(b));
+  });
+  return has;
+}
+
+/// Follows ways that leave their leaf where the next one has nothing of the sheet. A gap of less
+/// than `least` is no jump.
+void BoundaryDistance::end_at_jumps(std::span<const std::size_t> numbers, double least,
                                     std::vector<std::optional<SheetEnd>>& ends) {
   std::vector<Line> ways;
   for (const std::size_t k : numbers) ways.push_back({jumps_[k].opposite, jumps_[k].beyond});
   const auto found =
-      sheet_ends(surface_, ways, delta_, kHalvingsToNearly, clip_, threads_, evaluations_);
+      sheet_ends(surface_, ways, least, kHalvingsToNearly, clip_, threads_, evaluations_);
   std::vector<std::size_t> open;
   std::vector<Line> outside;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -44,7 +85,7 @@ void BoundaryDistance::end_at_jumps(std::span<const std::size_t> numbers,
     outside.push_back({jumps_[k].beyond, *jumps_[k].outside});
   }
   const auto more =
-      sheet_ends(surface_, outside, delta_, kHalvingsToNearly, clip_, threads_, evaluations_);
+      sheet_ends(surface_, outside, least, kHalvingsToNearly, clip_, threads_, evaluations_);
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (more[i] && more[i]->kind == SheetEnd::Kind::Jump) ends[open[i]] = more[i];
   }

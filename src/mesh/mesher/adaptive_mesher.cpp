@@ -360,8 +360,7 @@ std::vector<Leaf> AdaptiveMesher::halve_missed() {
        measure_left_out(mesh_, request_.clip, request_.threads, tree_)) {
     const double size = 0.5 * border_of_pieces(mesh_.leaves[k], tree_).value_or(0);
     if (farthest.distance + size <= mesh_.allowed[k] || stop_if_full()) continue;
-    // Only halves across the features tell them apart.
-    const auto both = halve(mesh_.leaves[k], direction_.is_across_u(k, predicted_), tree_);
+    const auto both = halve_cut(k);
     if (!both) continue;
     missed.push_back(k);
     for (Leaf half : *both) {

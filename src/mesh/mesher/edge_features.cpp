@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "mesh/features/approach.h"
 #include "mesh/features/cliffs.h"
 #include "mesh/features/creases.h"
@@ -21,6 +23,10 @@
 namespace saddle {
 
 namespace {
+
+/// A crease closes a jump of up to this part of the tolerance. A larger one stays open: triangles
+/// that close it would stand across the surface.
+constexpr double kClosed = 0.25;
 
 /// Searches a batch of sides.
 class FeatureTracer {
@@ -225,7 +231,48 @@ class FeatureTracer {
       creased.push_back(sides[k]);
       creases.push_back(found[k]);
     }
+    add_slight_jumps(creased, creases);
     add_pairs(FeatureKind::Crease, creased, creases);
+  }
+
+  /// Adds jumps at creases that are smaller than the tolerance, but not small. Leaves the others.
+  void add_slight_jumps(std::vector<Side>& sides, std::vector<LocatedDiscontinuity>& creases) {
+    std::vector<dvec2> uv;
+    for (const LocatedDiscontinuity& crease : creases)
+      uv.insert(uv.end(), crease.ends.begin(), crease.ends.end());
+    const std::vector<dvec3> at = evaluate_positions(tree_.surface(), uv, options_.threads);
+    tree_.effort().looks() += uv.size();
+    std::vector<std::size_t> open;
+    std::vector<Line> lines;
+    double delta = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      const double least = kClosed * options_.tolerance(at[2 * k]);
+      if (!(glm::distance(at[2 * k], at[2 * k + 1]) > least)) continue;
+      open.push_back(k);
+      lines.push_back(line(sides[k]));
+      delta = std::min(delta, least);
+    }
+    if (open.empty()) return;
+    const auto found = find_discontinuities(tree_.surface(), lines, delta, options_.threads,
+                                            tree_.effort().looks());
+    std::vector<Side> jumping;
+    std::vector<LocatedDiscontinuity> jumps;
+    std::vector<bool> is_jump(sides.size(), false);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      if (found[i].kind != Discontinuity::Jump || found[i].between) continue;
+      is_jump[open[i]] = true;
+      jumping.push_back(sides[open[i]]);
+      jumps.push_back(found[i]);
+    }
+    add_pairs(FeatureKind::Jump, jumping, jumps);
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (is_jump[k]) continue;
+      sides[kept] = sides[k];
+      creases[kept++] = creases[k];
+    }
+    sides.resize(kept);
+    creases.resize(kept);
   }
 
   /// A vertex beside a feature.
@@ -254,6 +301,17 @@ class FeatureTracer {
     }
   }
 
+  void set_normals_beside_jumps(std::span<const Beside> vertices, std::uint32_t first) {
+    const auto& uv = tree_.mesh().uv;
+    std::vector<std::uint32_t> numbers;
+    std::vector<dvec2> at;
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      numbers.push_back(static_cast<std::uint32_t>(first + k));
+      at.push_back(beside_jump(uv[numbers[k]], uv[vertices[k].neighbour]));
+    }
+    set_normals(numbers, at, options_.threads, tree_);
+  }
+
   /// Records features with a vertex on either side of each; an end of a side may be one of them.
   void add_pairs(FeatureKind kind, std::span<const Side> sides,
                  std::span<const LocatedDiscontinuity> found) {
@@ -271,6 +329,7 @@ class FeatureTracer {
     }
     const std::uint32_t first = tree_.geometry().add_between(places, options_.threads);
     if (kind == FeatureKind::Crease) set_limit_normals(vertices, first);
+    if (kind == FeatureKind::Jump) set_normals_beside_jumps(vertices, first);
     tree_.geometry().take_known_normals();
     std::uint32_t next = first;
     for (std::size_t k = 0; k < sides.size(); ++k) {

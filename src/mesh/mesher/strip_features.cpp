@@ -1,6 +1,7 @@
 #include "mesh/mesher/strip_features.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -13,9 +14,11 @@ namespace saddle {
 
 namespace {
 
-/// Jumps within a quarter of a side are one feature: what is between them is a strip. Wider ones
-/// are parted by halving.
+/// Where sides have many jumps, only those within a quarter of a side are one feature. Others are
+/// parted by halving.
 constexpr double kClose = 0.25;
+/// Sides whose jumps are all looked for before it is asked whether they have many.
+constexpr std::size_t kStripsAtATime = 64;
 /// How far from a cliff its sheets have normals of their own, in widths of the cliff: the rounded
 /// foot of tanh is flat there.
 constexpr double kBesideCliff = 4;
@@ -43,20 +46,29 @@ void share_place(const Side& side, const std::array<std::uint32_t, 2>& beside, C
 
 /// Records several jumps of each side as one feature. A strip between two of them has a vertex
 /// beside each; the two vertices of a jump have one place.
-void add_close_jumps(std::span<const Side> sides, std::span<const std::vector<Line>> jumps,
-                     const TraceOptions& options, CellTree& tree) {
+void add_several_jumps(std::span<const Side> sides, std::span<const std::vector<Line>> jumps,
+                       const TraceOptions& options, CellTree& tree) {
   const auto& uv = tree.mesh().uv;
   std::vector<Between> places;
+  std::vector<dvec2> normals_at;
   for (std::size_t k = 0; k < sides.size(); ++k) {
-    const auto add = [&](const dvec2& at) { places.push_back({sides[k][0], sides[k][1], at}); };
+    const auto add = [&](const dvec2& at, const dvec2& on_sheet) {
+      places.push_back({sides[k][0], sides[k][1], at});
+      normals_at.push_back(beside_jump(at, on_sheet));
+    };
     for (std::size_t i = 0; i + 1 < jumps[k].size(); ++i) {
-      add(jumps[k][i][1]);
-      add(jumps[k][i + 1][0]);
+      add(jumps[k][i][1], jumps[k][i + 1][0]);
+      add(jumps[k][i + 1][0], jumps[k][i][1]);
     }
-    if (jumps[k].front()[0] != uv[sides[k][0]]) add(jumps[k].front()[0]);
-    if (jumps[k].back()[1] != uv[sides[k][1]]) add(jumps[k].back()[1]);
+    const dvec2 begin = uv[sides[k][0]];
+    const dvec2 end = uv[sides[k][1]];
+    if (jumps[k].front()[0] != begin) add(jumps[k].front()[0], begin);
+    if (jumps[k].back()[1] != end) add(jumps[k].back()[1], end);
   }
   std::uint32_t next = tree.geometry().add_between(places, options.threads);
+  std::vector<std::uint32_t> vertices(places.size());
+  std::iota(vertices.begin(), vertices.end(), next);
+  set_normals(vertices, normals_at, options.threads, tree);
   tree.geometry().take_known_normals();
   for (std::size_t k = 0; k < sides.size(); ++k) {
     EdgeFeature feature{FeatureKind::Jump, sides[k][0], sides[k][0], sides[k][1]};
@@ -107,31 +119,37 @@ std::vector<bool> add_strips(std::span<const Side> sides,
                              std::span<const LocatedDiscontinuity> found, double delta,
                              const TraceOptions& options, CellTree& tree) {
   std::vector<bool> is_done(sides.size(), false);
-  std::vector<std::size_t> numbers;
-  std::vector<Line> with_more;
-  std::vector<LocatedDiscontinuity> known;
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    if (found[k].kind != Discontinuity::Jump || !found[k].between) continue;
-    const Line line = {tree.mesh().uv[sides[k][0]], tree.mesh().uv[sides[k][1]]};
-    if (is_wide(found[k], line)) continue;
-    numbers.push_back(k);
-    with_more.push_back(line);
-    known.push_back(found[k]);
+  for (std::size_t next = 0; next < sides.size();) {
+    const bool has_many = !tree.edges().may_have_few_jumps();
+    std::vector<std::size_t> numbers;
+    std::vector<Line> with_more;
+    std::vector<LocatedDiscontinuity> known;
+    for (; next < sides.size() && numbers.size() < kStripsAtATime; ++next) {
+      if (found[next].kind != Discontinuity::Jump || !found[next].between) continue;
+      const Line line = {tree.mesh().uv[sides[next][0]], tree.mesh().uv[sides[next][1]]};
+      const bool are_all_known = !found[next].jumps.empty();
+      if (!are_all_known && has_many && is_wide(found[next], line)) continue;
+      numbers.push_back(next);
+      with_more.push_back(line);
+      known.push_back(found[next]);
+    }
+    const auto jumps = find_all_jumps(tree.surface(), with_more, known, delta, options.threads,
+                                      tree.effort().looks());
+    std::vector<Side> few;
+    std::vector<std::vector<Line>> jumps_of;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (jumps[i].size() < 2) continue;
+      const double width = glm::distance(jumps[i].front()[0], jumps[i].back()[1]);
+      const bool is_close = width <= kClose * glm::distance(with_more[i][0], with_more[i][1]);
+      const bool are_all_known = !known[i].jumps.empty();
+      if (!are_all_known && has_many && !is_close) continue;
+      is_done[numbers[i]] = true;
+      few.push_back(sides[numbers[i]]);
+      jumps_of.push_back(jumps[i]);
+    }
+    tree.edges().count_few_jumps(numbers.size(), few.size());
+    if (!few.empty()) add_several_jumps(few, jumps_of, options, tree);
   }
-  if (numbers.empty()) return is_done;
-  const auto jumps = find_all_jumps(tree.surface(), with_more, known, delta, options.threads,
-                                    tree.effort().looks());
-  std::vector<Side> close;
-  std::vector<std::vector<Line>> jumps_of;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (jumps[i].size() < 2) continue;
-    const double width = glm::distance(jumps[i].front()[0], jumps[i].back()[1]);
-    if (width > kClose * glm::distance(with_more[i][0], with_more[i][1])) continue;
-    is_done[numbers[i]] = true;
-    close.push_back(sides[numbers[i]]);
-    jumps_of.push_back(jumps[i]);
-  }
-  if (!close.empty()) add_close_jumps(close, jumps_of, options, tree);
   return is_done;
 }
 
@@ -167,11 +185,8 @@ void add_cliffs(std::span<const Side> sides, std::span<const Cliff> cliffs, unsi
   }
   const std::uint32_t first = tree.geometry().add_between(places, threads);
   set_normals_of_segments(segments, on_segments, first, threads, tree);
-  const std::vector<SurfacePoint> points = evaluate(tree.surface(), normals_at, threads);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto normal = known_normal(points[i], tree.surface().flip);
-    if (normal) tree.geometry().set_normal(first + besides[i], *normal);
-  }
+  for (std::uint32_t& beside : besides) beside += first;
+  set_normals(besides, normals_at, threads, tree);
   tree.geometry().take_known_normals();
   std::uint32_t next = first;
   for (std::size_t k = 0; k < sides.size(); ++k) {
@@ -187,6 +202,15 @@ void add_cliffs(std::span<const Side> sides, std::span<const Cliff> cliffs, unsi
       tree.geometry().join(i, i + 1);
     tree.geometry().join(cliff.beside_second, last_on_strips);
     tree.edges().set_feature(sides[k][0], sides[k][1], cliff);
+  }
+}
+
+void set_normals(std::span<const std::uint32_t> vertices, std::span<const dvec2> at,
+                 unsigned threads, CellTree& tree) {
+  const std::vector<SurfacePoint> points = evaluate(tree.surface(), at, threads);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto normal = known_normal(points[i], tree.surface().flip);
+    if (normal) tree.geometry().set_normal(vertices[i], *normal);
   }
 }
 

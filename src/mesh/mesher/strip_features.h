@@ -1,5 +1,5 @@
-// Features of sides that have strips: jumps close to each other, with the thin sheets between them,
-// and cliffs, with their segments.
+// Features of sides that have strips: several jumps, with the sheets between them, and cliffs, with
+// their segments.
 #pragma once
 
 #include <array>
@@ -7,17 +7,20 @@
 #include <span>
 #include <vector>
 
+#include <glm/common.hpp>
+
 #include "mesh/features/cliffs.h"
 #include "mesh/features/discontinuities.h"
 #include "mesh/mesher/trace_options.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/edge_table.h"
 
 namespace saddle {
 
 class CellTree;
 
-/// Records the sides whose jumps are close to each other. `found`: on the lines of the sides.
-/// Returns which they are.
+/// Records the sides with several jumps, if all of them are known. `found`: on the lines of the
+/// sides. Returns which they are.
 std::vector<bool> add_strips(std::span<const Side> sides,
                              std::span<const LocatedDiscontinuity> found, double delta,
                              const TraceOptions& options, CellTree& tree);
@@ -27,6 +30,17 @@ std::vector<bool> add_strips(std::span<const Side> sides,
 /// there.
 void add_cliffs(std::span<const Side> sides, std::span<const Cliff> cliffs, unsigned threads,
                 CellTree& tree);
+
+/// Sets the normals of vertices to those of the surface at other places.
+void set_normals(std::span<const std::uint32_t> vertices, std::span<const dvec2> at,
+                 unsigned threads, CellTree& tree);
+
+/// Where a vertex beside a jump gets its normal: a little farther on its way to another vertex of
+/// its sheet. At the jump itself rounding may choose the slopes of the other sheet, as of abs(u-v)
+/// where u > v+0 jumps.
+inline dvec2 beside_jump(const dvec2& at_jump, const dvec2& on_sheet) {
+  return glm::mix(at_jump, on_sheet, kNearly);
+}
 
 /// The vertex whose place a feature takes: an end of its side within rounding, else the first
 /// vertex beside it.

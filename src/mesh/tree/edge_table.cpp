@@ -5,12 +5,15 @@ namespace saddle {
 
 namespace {
 
-/// Sides on which cliffs may be looked for in vain, and so many more for each that was found: waves
-/// have sides as steep as a cliff's all over.
+/// Searches that may be in vain at first: waves have sides as steep as cliffs, or many jumps on
+/// each.
 constexpr std::size_t kSoughtInVain = 128;
-constexpr std::size_t kSoughtForEach = 64;
 
 }  // namespace
+
+bool SearchCount::may_be_found(std::size_t for_each) const {
+  return sought <= kSoughtInVain + for_each * found;
+}
 
 EdgeRecord& EdgeTable::record(std::uint32_t a, std::uint32_t b) {
   const auto [at, is_new] =
@@ -47,15 +50,6 @@ void EdgeTable::discount_feature(std::uint32_t a, std::uint32_t b) {
   EdgeRecord& edge = record(a, b);
   if (!edge.is_halved) vertex_count_ -= edge.feature->count_new_vertices();
   edge.is_halved = true;
-}
-
-void EdgeTable::count_cliffs(std::size_t sought, std::size_t found) {
-  cliffs_sought_ += sought;
-  cliffs_found_ += found;
-}
-
-bool EdgeTable::may_have_cliffs() const {
-  return cliffs_sought_ <= kSoughtInVain + kSoughtForEach * cliffs_found_;
 }
 
 void EdgeTable::set_leads_to_pole(std::uint32_t a, std::uint32_t b, const PoleEnds& ends) {

@@ -45,7 +45,7 @@ inline bool leaves_out(FeatureKind kind) {
 /// Where a side is cut: the last vertices on either side of the cut. At a boundary they are one
 /// vertex. At a pole they are on the way to infinity, or where that leaves the clip box. At a
 /// crease they are one point with two normals. At a cliff they are its foot and its head. Several
-/// jumps close to each other are one feature: between them are the thin strips of other sheets.
+/// jumps of a side are one feature: between them are strips of other sheets.
 struct EdgeFeature {
   FeatureKind kind;
   std::uint32_t first;  ///< the neighbour with the smaller number
@@ -91,6 +91,19 @@ struct EdgeRecord {
   bool is_halved = false;                      ///< the vertices of `feature` do not count
   bool is_continuous = false;                  ///< positions are; normals need not be
   std::optional<dvec2> between_features = {};  ///< parameters; there are more than `feature`
+};
+
+/// Searches for what most surfaces do not have, and waves all over.
+struct SearchCount {
+  std::size_t sought = 0;
+  std::size_t found = 0;
+
+  void count(std::size_t more_sought, std::size_t more_found) {
+    sought += more_sought;
+    found += more_found;
+  }
+  /// Whether enough was found: one in as many as `for_each`, after the first ones.
+  bool may_be_found(std::size_t for_each) const;
 };
 
 /// The records of all sides, in one hash table.
@@ -158,10 +171,13 @@ class EdgeTable {
   bool has_seams() const { return has_seams_; }
 
   /// Counts sides on which cliffs were looked for, and cliffs found there.
-  void count_cliffs(std::size_t sought, std::size_t found);
-  bool has_cliffs() const { return cliffs_found_ > 0; }
+  void count_cliffs(std::size_t sought, std::size_t found) { cliffs_.count(sought, found); }
+  bool has_cliffs() const { return cliffs_.found > 0; }
   /// Whether so many were found that it is worth to look for more.
-  bool may_have_cliffs() const;
+  bool may_have_cliffs() const { return cliffs_.may_be_found(kSoughtForCliff); }
+  /// The same for sides on which all jumps were looked for, and those that have a few.
+  void count_few_jumps(std::size_t sought, std::size_t found) { few_jumps_.count(sought, found); }
+  bool may_have_few_jumps() const { return few_jumps_.may_be_found(kSoughtForFewJumps); }
 
   bool has_features() const { return has_features_; }
   /// Whether a feature may cut a leaf: one cuts its root cell.
@@ -177,6 +193,10 @@ class EdgeTable {
   void discount_feature(std::uint32_t a, std::uint32_t b);
 
  private:
+  /// Searches for each that is not in vain. Those for all jumps of a side take the longest.
+  static constexpr std::size_t kSoughtForCliff = 64;
+  static constexpr std::size_t kSoughtForFewJumps = 4;
+
   const EdgeRecord* find(std::uint32_t a, std::uint32_t b) const {
     const auto found = places_.find(pair_of(a, b));
     return found ? &records_[*found] : nullptr;
@@ -194,8 +214,8 @@ class EdgeTable {
   std::vector<PoleEnds> poles_beyond_faces_;
   CellMarks crossed_cells_;
   std::size_t vertex_count_ = 0;
-  std::size_t cliffs_sought_ = 0;
-  std::size_t cliffs_found_ = 0;
+  SearchCount cliffs_;
+  SearchCount few_jumps_;
   bool has_features_ = false;
   bool has_seams_ = false;
   bool has_pole_features_ = false;

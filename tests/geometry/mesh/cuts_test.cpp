@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "mesh/features/discontinuities.h"
 #include "mesh/mesher/mesher.h"
@@ -95,6 +96,40 @@ TEST(Jumps, ThatSamplesDoNotTellApartAreAllCut) {
       EXPECT_NEAR(area(result.mesh), 120, 1e-6) << tolerance << ' ' << lines;
       EXPECT_GE(result.report.jump_count, 30U) << tolerance << ' ' << lines;
     }
+  }
+}
+
+/// At the line itself rounding may take the slope of either side.
+TEST(Jumps, AtKinksTakeNoMoreCellsThanOthers) {
+  const MeshResult plain =
+      try_mesh(height_field("u>0.123+0.2*v?0.3:0"), within_share(1e-3)).value();
+  const MeshResult kink =
+      try_mesh(height_field("(u>0.123+0.2*v?0.3:0)+abs(u-0.123-0.2*v)"), within_share(1e-3))
+          .value();
+  EXPECT_EQ(kink.report.cells, plain.report.cells);
+  EXPECT_LE(kink.report.max_error, *kink.report.tolerance);
+}
+
+/// A ribbon thickened by differences: its jumps are proportional to v.
+TEST(Jumps, ThatFallBelowTheToleranceEndInAFewCells) {
+  const std::string rise = "((0.29*step(0,cos(5*u))-0.29*step(0,cos(5*(u-0.01))))/0.01)";
+  const std::string length = "hypot(1," + rise + ")";
+  const Surface ribbon = surface_from_text("u-0.15*v*" + rise + "/" + length,
+                                           "1+0.29*step(0,cos(5*u))+0.15*v/" + length, "v/2",
+                                           {-2, 2, -1, 1}, {}, Order::Second);
+  const MeshResult result = try_mesh(ribbon, within_share(1e-3)).value();
+  EXPECT_LT(result.report.cells, 400U);
+  EXPECT_LE(result.report.max_error, *result.report.tolerance);
+}
+
+/// Steps along an aslant line, each thinner or wider than the cells that it crosses.
+TEST(Jumps, OnOneSideAreCutTogetherHoweverFarApart) {
+  for (const char* const width : {"0.002", "0.07"}) {
+    const std::string line = "floor(3*(u+v+" + std::string(width) + "))-floor(3*(u+v))";
+    const MeshResult result =
+        try_mesh(height_field(("0.2*(" + line + ")").c_str()), within_share(1e-3)).value();
+    EXPECT_LT(result.report.cells, 400U) << width;
+    EXPECT_LE(result.report.max_error, *result.report.tolerance) << width;
   }
 }
 
