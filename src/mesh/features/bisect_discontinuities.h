@@ -25,6 +25,7 @@ struct LocatedDiscontinuity {
   std::optional<dvec2> between = {};  ///< the line has others: a place before the next one
   /// All jumps of the line in its order, if bounds prove that it has no others.
   std::vector<Line> jumps = {};
+  bool is_proved = false;      ///< bounds prove that there is none
   bool is_cusp = false;        ///< the normal turns to its opposite; the tangents do not jump
   bool has_passed_by = false;  ///< a larger gap than that of a first part was not followed
 };

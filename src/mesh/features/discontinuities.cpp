@@ -315,6 +315,7 @@ std::vector<LocatedDiscontinuity> find_discontinuities(const Surface& surface,
     open_lines.push_back(lines[part.line]);
   }
   std::vector<LocatedDiscontinuity> result(lines.size());
+  for (LocatedDiscontinuity& at : result) at.is_proved = true;
   for (std::size_t i = 0; i < open.size(); i += kLinesAtATime) {
     const auto some =
         std::span(open_lines).subspan(i, std::min(kLinesAtATime, open_lines.size() - i));

@@ -150,6 +150,7 @@ class FeatureTracer {
         case Discontinuity::None:
           continuous.push_back(sides[k]);
           tree_.edges().set_continuous(sides[k][0], sides[k][1]);
+          if (found[k].is_proved) tree_.edges().set_proved(sides[k][0], sides[k][1]);
           break;
         case Discontinuity::Jump:
           jumping.push_back(sides[k]);
@@ -164,6 +165,9 @@ class FeatureTracer {
     if (options_.poles || (options_.clip && tree_.budget().has_room_for_faces(options_.triangles)))
       cut_poles(poles, options_, tree_);
     add_pairs(FeatureKind::Jump, jumping, jumps);
+    for (std::size_t k = 0; k < jumps.size(); ++k) {
+      if (jumps[k].jumps.size() == 1) tree_.edges().set_proved(jumping[k][0], jumping[k][1]);
+    }
   }
 
   /// Whether a side is of the domain's edge.

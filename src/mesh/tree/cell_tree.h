@@ -67,7 +67,9 @@ class CellTree {
   }
   /// Takes the middle of a side between neighbours into use.
   void use_middle(std::uint32_t from, std::uint32_t middle, std::uint32_t to) {
-    if (vertices_.use_middle(from, middle, to)) edges_.discount_feature(from, to);
+    if (!vertices_.use_middle(from, middle, to)) return;
+    edges_.discount_feature(from, to);
+    edges_.pass_on(from, middle, to);
   }
   /// Whether the surface is known to go to infinity somewhere.
   bool has_poles() const { return edges_.has_poles() || geometry_.has_poles(); }

@@ -1,5 +1,11 @@
 #include "mesh/tree/edge_table.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
 #include "mesh/model/mesh.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
@@ -50,6 +56,62 @@ void EdgeTable::discount_feature(std::uint32_t a, std::uint32_t b) {
   EdgeRecord& edge = record(a, b);
   if (!edge.is_halved) vertex_count_ -= edge.feature->count_new_vertices();
   edge.is_halved = true;
+}
+
+void EdgeTable::pass_on(std::uint32_t from, std::uint32_t middle, std::uint32_t to) {
+  const EdgeRecord* const whole = find(from, to);
+  if (whole == nullptr || !whole->is_proved) return;
+  if (!whole->feature || whole->feature->is_continuous()) {
+    pass_on_part(from, middle, std::nullopt);
+    return pass_on_part(middle, to, std::nullopt);
+  }
+  const EdgeFeature jumps = *whole->feature;  // a copy: records move
+  if (jumps.kind != FeatureKind::Jump) return;
+  const std::uint32_t first = jumps.first;
+  const std::uint32_t second = first == from ? to : from;
+  const dvec2 begin = vertices_.place_between(first);
+  const double part = glm::distance(begin, vertices_.place_between(middle));
+  const double same = kSame * glm::distance(begin, vertices_.place_between(second));
+  std::uint32_t before = 0;  // jumps before the middle
+  for (std::uint32_t k = 0; k <= jumps.strips; ++k) {
+    const std::uint32_t beside =
+        k == 0 ? jumps.beside_first : jumps.first_on_strips + 2 * (k - 1) + 1;
+    const double at = glm::distance(begin, vertices_.place_between(beside));
+    if (std::fabs(at - part) <= same) return;
+    if (at < part) ++before;
+  }
+  const std::uint32_t after = jumps.strips + 1U - before;
+  std::optional<EdgeFeature> near;
+  std::optional<EdgeFeature> far;
+  if (before > 0) {
+    near = jumps;
+    near->strips = static_cast<std::uint8_t>(before - 1);
+    if (after > 0) near->beside_second = jumps.first_on_strips + 2 * (before - 1);
+  }
+  if (after > 0) {
+    far = jumps;
+    far->first = middle;
+    far->strips = static_cast<std::uint8_t>(after - 1);
+    if (before > 0) {
+      far->beside_first = jumps.first_on_strips + 2 * (before - 1) + 1;
+      far->first_on_strips = jumps.first_on_strips + 2 * before;
+    }
+  }
+  pass_on_part(first, middle, near);
+  pass_on_part(middle, second, far);
+}
+
+/// A part without a jump may have a crease.
+void EdgeTable::pass_on_part(std::uint32_t a, std::uint32_t b,
+                             const std::optional<EdgeFeature>& jumps) {
+  const EdgeRecord& part = record(a, b);
+  if (part.is_searched || part.is_continuous) return;
+  if (jumps) {
+    set_feature(a, b, jumps);
+  } else {
+    set_continuous(a, b);
+  }
+  set_proved(a, b);
 }
 
 void EdgeTable::set_leads_to_pole(std::uint32_t a, std::uint32_t b, const PoleEnds& ends) {

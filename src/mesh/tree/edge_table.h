@@ -48,7 +48,7 @@ inline bool leaves_out(FeatureKind kind) {
 /// jumps of a side are one feature: between them are strips of other sheets.
 struct EdgeFeature {
   FeatureKind kind;
-  std::uint32_t first;  ///< the neighbour with the smaller number
+  std::uint32_t first;  ///< a neighbour
   std::uint32_t beside_first, beside_second;
   /// The numbers of the faces through which the surface leaves the clip box there, beside a pole.
   std::array<std::uint8_t, 2> exits = {};
@@ -90,6 +90,7 @@ struct EdgeRecord {
   bool is_searched = false;                    ///< `feature` says what the search found
   bool is_halved = false;                      ///< the vertices of `feature` do not count
   bool is_continuous = false;                  ///< positions are; normals need not be
+  bool is_proved = false;                      ///< positions have no jumps but those of `feature`
   std::optional<dvec2> between_features = {};  ///< parameters; there are more than `feature`
 };
 
@@ -134,6 +135,12 @@ class EdgeTable {
     return record != nullptr && record->is_continuous;
   }
   void set_continuous(std::uint32_t a, std::uint32_t b) { record(a, b).is_continuous = true; }
+
+  /// Files that positions are proved to have no jumps on a side but those of its feature.
+  void set_proved(std::uint32_t a, std::uint32_t b) { record(a, b).is_proved = true; }
+  /// Files for both parts of a side what is proved of the whole, so that they need no search. Its
+  /// jumps go to the parts that they are in, unless one is at the vertex `middle`.
+  void pass_on(std::uint32_t from, std::uint32_t middle, std::uint32_t to);
 
   /// Whether a side has more features than feature() tells.
   bool has_more(std::uint32_t a, std::uint32_t b) const {
@@ -202,6 +209,7 @@ class EdgeTable {
     return found ? &records_[*found] : nullptr;
   }
   EdgeRecord& record(std::uint32_t a, std::uint32_t b);
+  void pass_on_part(std::uint32_t a, std::uint32_t b, const std::optional<EdgeFeature>& jumps);
   std::optional<EdgeFeature> find_feature(std::uint32_t a, std::uint32_t b) const;
 
   DyadicVertices& vertices_;
