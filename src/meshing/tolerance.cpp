@@ -22,9 +22,10 @@ namespace {
 constexpr std::size_t kMostTriangles = 4'000'000;
 constexpr std::size_t kEnoughTriangles = 1'000'000;
 /// The triangles of several surfaces together. Each has the same share, but at least that of a
-/// small one. The share bounds the work, too: 20 microseconds for a triangle with its checks and
-/// drawing. Effort that does not depend on triangles is no more than all of these may take.
-constexpr std::size_t kMostOfSeveral = 2'500'000;
+/// small one. The share bounds the work, too: up to 30 microseconds for a triangle with its checks
+/// and drawing, 45 s in all. Effort that does not depend on triangles is no more than all of these
+/// may take.
+constexpr std::size_t kMostOfSeveral = 1'500'000;
 constexpr std::size_t kLeastOfSeveral = 300;
 /// A mesh takes 1 kB for each triangle when it is finished, and twice as much is left for the steps
 /// of the heap's growth and for the picture or file that is made of it.
