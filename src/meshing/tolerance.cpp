@@ -296,9 +296,9 @@ namespace {
 /// The triangles at most, whatever memory there is.
 std::size_t triangles_asked(const Scene& scene, const SurfaceSpec& spec) {
   if (scene.mesh.max_triangles) return static_cast<std::size_t>(*scene.mesh.max_triangles);
-  const std::size_t count = scene.surfaces.size();
-  const std::size_t share =
-      count > 1 ? std::max(kMostOfSeveral / count, kLeastOfSeveral) : kMostTriangles;
+  const std::size_t share = shares_limits(scene)
+                                ? std::max(kMostOfSeveral / scene.surfaces.size(), kLeastOfSeveral)
+                                : kMostTriangles;
   if (scene.mesh.tolerance || samples_of(scene, spec)) return share;
   const auto pixels = static_cast<std::size_t>(scene.picture.width) *
                       static_cast<std::size_t>(scene.picture.height);
@@ -316,6 +316,10 @@ std::size_t triangles_of_time() {
 }
 
 }  // namespace
+
+bool shares_limits(const Scene& scene) {
+  return scene.surfaces.size() > 1 && !scene.mesh.max_triangles;
+}
 
 std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec) {
   return std::min({triangles_asked(scene, spec), triangles_of_memory(), triangles_of_time()});

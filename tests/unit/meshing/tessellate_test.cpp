@@ -55,6 +55,16 @@ TEST(MostTriangles, OfSeveralSurfacesAreSharedEvenly) {
   EXPECT_EQ(most_triangles(scene, {}), 5'000'000U);
 }
 
+TEST(MostTriangles, AreSharedBySeveralSurfacesUnlessTheyAreAskedFor) {
+  Scene scene = picture_of(800, 600);
+  scene.surfaces.resize(1);
+  EXPECT_FALSE(shares_limits(scene));
+  scene.surfaces.resize(2);
+  EXPECT_TRUE(shares_limits(scene));
+  scene.mesh.max_triangles = 1000;
+  EXPECT_FALSE(shares_limits(scene));
+}
+
 TEST(MostTriangles, AreThoseThatAreAskedForAboveAll) {
   Scene scene = picture_of(1600, 1200);
   scene.mesh.tolerance = ToleranceValue{1e-6, false};
