@@ -115,8 +115,8 @@ using Kind = Finding::Kind;
 /// Collects the findings about a mesh, in this order.
 class MeshFindings {
  public:
-  MeshFindings(const MeshResult& result, const Domain& domain)
-      : result_(result), report_(result.report), domain_(domain) {}
+  MeshFindings(const MeshResult& result, const Domain& domain, bool shares_limits)
+      : result_(result), report_(result.report), domain_(domain), shares_limits_(shares_limits) {}
 
   std::vector<Finding> all() {
     take_missing_parts();
@@ -180,10 +180,11 @@ class MeshFindings {
     };
     if (report_.shortage == Shortage::Time) return stopped("time", "--max-time allows more");
     if (report_.shortage == Shortage::Memory) return stopped("memory", "--max-memory allows more");
+    const std::string fewer = shares_limits_ ? "fewer surfaces or " : "";
     if (report_.budget_spent)
-      return stopped("work", "smaller ranges show more, --max-triangles allows more work");
+      return stopped("work", fewer + "smaller ranges show more, --max-triangles allows more work");
     if (report_.reached_limit)
-      return stopped("triangles", "--max-triangles allows more" + least_text());
+      return stopped("triangles", fewer + "--max-triangles allows more" + least_text());
     if (!exceeds_tolerance) return "";
     if (report_.rounding) {
       return "the mesh is" + off + ": its coordinates are so large that doubles round them by " +
@@ -348,6 +349,7 @@ class MeshFindings {
   const MeshResult& result_;
   const MeshReport& report_;
   const Domain& domain_;
+  bool shares_limits_;
   std::vector<Finding> findings_;
 };
 
@@ -380,8 +382,9 @@ std::string name_of(Kind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-std::vector<Finding> mesh_findings(const MeshResult& mesh, const Domain& domain) {
-  return MeshFindings(mesh, domain).all();
+std::vector<Finding> mesh_findings(const MeshResult& mesh, const Domain& domain,
+                                   bool shares_limits) {
+  return MeshFindings(mesh, domain, shares_limits).all();
 }
 
 std::vector<std::string> warnings_of(const std::string& name, std::span<const Finding> findings) {

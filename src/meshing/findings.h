@@ -58,7 +58,9 @@ struct Finding {
 std::string name_of(Finding::Kind kind);
 
 /// At most one finding of each kind, with its count; one of Unproved for each reason.
-std::vector<Finding> mesh_findings(const MeshResult& mesh, const Domain& domain);
+/// `shares_limits`: the limits of the mesh are a share of those of all surfaces.
+std::vector<Finding> mesh_findings(const MeshResult& mesh, const Domain& domain,
+                                   bool shares_limits = false);
 
 /// The sentences of the findings that warn, each after the surface's name.
 std::vector<std::string> warnings_of(const std::string& name, std::span<const Finding> findings);

@@ -109,8 +109,7 @@ Bounds far_from(const Bounds& box, const Bounds& whole) {
   return beyond;
 }
 
-/// Meshes a surface as often as it takes to know the box that its poles, or parts of it that are
-/// out of proportion, are clipped to.
+/// Meshes a surface until it knows the box that poles and parts out of proportion are clipped to.
 class ProportionateMesher {
  public:
   ProportionateMesher(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
@@ -333,6 +332,7 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
   report.evaluations = surface.evaluations() + (is_stretched ? report.evaluations : 0);
   result.tessellate_ms = passed.count();
   result.is_clipped = scene.clip.box || report.clip;
+  result.shares_limits = shares_limits(scene);
   if (result.is_clipped) report.least_triangles = 0;  // it is of the whole
   return result;
 }
@@ -346,7 +346,7 @@ Tessellation tessellation_of(const SurfaceSpec& spec, MeshedSurface meshed) {
   result.tessellate_ms = meshed.tessellate_ms;
   result.bends = meshed.bends;
   result.domain = name_parameters(meshed.prepared.surface, mesh);
-  result.findings = mesh_findings(mesh, result.domain);
+  result.findings = mesh_findings(mesh, result.domain, meshed.shares_limits);
   if (meshed.color) {
     std::ranges::move(color_findings(mesh.mesh, *meshed.color),
                       std::back_inserter(result.findings));

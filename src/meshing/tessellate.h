@@ -26,6 +26,7 @@ struct MeshedSurface {
   std::vector<ContourReport> contours;  ///< of each of its level lines' expressions
   std::optional<SharpestBends> bends;   ///< of a surface with a thickness
   bool is_clipped = false;              ///< a box may hide part of the surface
+  bool shares_limits = false;           ///< its limits are a share of those of all surfaces
   double tessellate_ms = 0;
 };
 

@@ -22,9 +22,10 @@ namespace {
 constexpr std::size_t kMostTriangles = 4'000'000;
 constexpr std::size_t kEnoughTriangles = 1'000'000;
 /// The triangles of several surfaces together. Each has the same share, but at least that of a
-/// small one. The share bounds the work, too: 20 microseconds for a triangle with its checks and
-/// drawing. Effort that does not depend on triangles is no more than all of these may take.
-constexpr std::size_t kMostOfSeveral = 2'500'000;
+/// small one. The share bounds the work, too: up to 30 microseconds for a triangle with its checks
+/// and drawing, 45 s in all. Effort that does not depend on triangles is no more than all of these
+/// may take.
+constexpr std::size_t kMostOfSeveral = 1'500'000;
 constexpr std::size_t kLeastOfSeveral = 300;
 /// A mesh takes 1 kB for each triangle when it is finished, and twice as much is left for the steps
 /// of the heap's growth and for the picture or file that is made of it.
@@ -295,9 +296,9 @@ namespace {
 /// The triangles at most, whatever memory there is.
 std::size_t triangles_asked(const Scene& scene, const SurfaceSpec& spec) {
   if (scene.mesh.max_triangles) return static_cast<std::size_t>(*scene.mesh.max_triangles);
-  const std::size_t count = scene.surfaces.size();
-  const std::size_t share =
-      count > 1 ? std::max(kMostOfSeveral / count, kLeastOfSeveral) : kMostTriangles;
+  const std::size_t share = shares_limits(scene)
+                                ? std::max(kMostOfSeveral / scene.surfaces.size(), kLeastOfSeveral)
+                                : kMostTriangles;
   if (scene.mesh.tolerance || samples_of(scene, spec)) return share;
   const auto pixels = static_cast<std::size_t>(scene.picture.width) *
                       static_cast<std::size_t>(scene.picture.height);
@@ -315,6 +316,10 @@ std::size_t triangles_of_time() {
 }
 
 }  // namespace
+
+bool shares_limits(const Scene& scene) {
+  return scene.surfaces.size() > 1 && !scene.mesh.max_triangles;
+}
 
 std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec) {
   return std::min({triangles_asked(scene, spec), triangles_of_memory(), triangles_of_time()});

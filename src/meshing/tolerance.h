@@ -63,6 +63,9 @@ double tolerance_share(const Scene& scene, const Purpose& purpose);
 /// Fewer where many surfaces share what a scene may have, or where --max-memory is little.
 std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec);
 
+/// Whether each surface has a share of the triangles and of the work of all.
+bool shares_limits(const Scene& scene);
+
 /// The bounds of the mesh of one surface.
 struct MeshAllowance {
   std::size_t triangles;  ///< no more than the points are worth

@@ -3,7 +3,7 @@
 command lines, and input that would take for ever. Nothing may be lost, left behind, silent or
 without a bound. ./dev faults runs it whole; `--short` is the part that ./dev test has.
 
-usage: faults.py SADDLE [--short] [--seed N] [--only PART]..."""
+usage: faults.py SADDLE [--short] [--seed N] [--count N] [--only PART]..."""
 import argparse
 import concurrent.futures
 import os
@@ -34,6 +34,8 @@ CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 CALLS = {"openat": "EMFILE", "write": "ENOSPC", "fsync": "EIO", "rename": "EACCES",
          "close": "EIO", "clone3": "EAGAIN", "flock": "ENOLCK", "unlink": "EPERM"}
 SIGNALS = ["TERM", "INT", "HUP", "QUIT", "KILL"]
+FILMS = ["a.gif", "a.mp4"]
+KILLED = ["a.png", "a.ply", "a.glb", "a.html", "a.svg", *FILMS]
 LOADER_STATUS = 127  # of the dynamic linker, before there is a program
 
 
@@ -47,9 +49,10 @@ def ticks(pid):
 
 
 class Run:
-    """A command that has ended: status (negative: a signal), err, processor seconds, bytes."""
+    """A command that has ended: status (negative: a signal), err, processor seconds, bytes. `end`:
+    a signal, and the seconds after which it is sent."""
 
-    def __init__(self, words, folder, limit=None, environment=None):
+    def __init__(self, words, folder, limit=None, environment=None, end=None):
         def prepare():
             for stop in (signal.SIGINT, signal.SIGHUP, signal.SIGQUIT):
                 signal.signal(stop, signal.SIG_DFL)
@@ -64,7 +67,7 @@ class Run:
         with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
             child = subprocess.Popen(self.words, cwd=folder, stdin=subprocess.DEVNULL, stdout=out,
                                      stderr=err, preexec_fn=prepare, env=env)
-            self.status, usage = self.wait(child)
+            self.status, usage = self.wait(child, end)
             out.seek(0)
             err.seek(0)
             self.out = out.read().decode(errors="replace")
@@ -72,16 +75,20 @@ class Run:
         self.seconds = usage.ru_utime + usage.ru_stime
         self.bytes = usage.ru_maxrss * 1024
 
-    def wait(self, child):
-        worked, last_work = 0, time.monotonic()
+    def wait(self, child, end):
+        begin = time.monotonic()
+        worked, last_work = 0, begin
         while time.monotonic() < last_work + HANG:
+            if end and time.monotonic() >= begin + end[1]:
+                os.kill(child.pid, end[0])  # send_signal() would wait for it
+                end = None
             pid, status, usage = os.wait4(child.pid, os.WNOHANG)
             if pid:
                 child.returncode = os.waitstatus_to_exitcode(status)
                 return child.returncode, usage
             if ticks(child.pid) > worked:
                 worked, last_work = ticks(child.pid), time.monotonic()
-            time.sleep(0.01)
+            time.sleep(0.01 if not end else 0.001)
         child.kill()
         _, _, usage = os.wait4(child.pid, 0)
         child.returncode = -9
@@ -93,6 +100,7 @@ class Faults:
         self.saddle = str(pathlib.Path(options.saddle).resolve())
         self.short = options.short
         self.seed = options.seed
+        self.count = options.count
         self.root = pathlib.Path(tempfile.mkdtemp(prefix="faults-"))
         self.failures = []
         self.counts = {}
@@ -118,18 +126,18 @@ class Faults:
             sys.exit(f"the program does not run: {run.err}")
         return (folder / "a.png").read_bytes()
 
-    def wrong_picture(self, run, folder, whole, statuses, may_be_silent=False):
-        """What is wrong with a run that was to replace the file a.png, which was b"old"."""
+    def wrong_picture(self, run, folder, whole, statuses, may_be_silent=False, name="a.png"):
+        """What is wrong with a run that was to replace the file `name`, which was b"old"."""
         if run.status not in statuses:
             return f"status {run.status}: {run.err[-300:]}"
-        content = (folder / "a.png").read_bytes() if (folder / "a.png").exists() else None
+        content = (folder / name).read_bytes() if (folder / name).exists() else None
         if content not in (b"old", whole):
-            return "a.png is neither the old nor the new one"
+            return f"{name} is neither the old nor the new one"
         if run.status == 0 and content != whole:
             return "status 0, and the old file is there"
         if run.status == 1 and not run.err.strip() and not may_be_silent:
             return "status 1 without a word"
-        names = {p.name for p in folder.iterdir()} - {"a.png"}
+        names = {p.name for p in folder.iterdir()} - {name}
         return f"left behind: {names}" if names else None
 
     def replaced(self, prefix, limit=None):
@@ -163,7 +171,7 @@ class Faults:
             for n in range(1, min(count, tried if name == "clone3" else count) + 1, step):
                 yield name, n
 
-    # --- the five parts --------------------------------------------------------------------------
+    # --- the six parts ---------------------------------------------------------------------------
 
     def calls(self):
         """Each system call fails once."""
@@ -209,6 +217,40 @@ class Faults:
         step = 12 if self.short else 2
         cases = [(kind, place) for i, kind in enumerate(SIGNALS) for place in places[i::step]]
         self.all("signals", check, cases)
+
+    def kills(self):
+        """Signals at random moments, for each kind of output."""
+        source = random.Random(self.seed)
+        small = [self.saddle, "z=sin(3*u+t)", "-s", "64x64", "-q"]
+        words = {name: [*small, *(["--frames", "8"] if name in FILMS else []), "-o", name]
+                 for name in KILLED}
+        wholes = {}
+        for name in KILLED:
+            folder = self.folder()
+            begin = time.monotonic()
+            run = Run(words[name], folder)
+            if run.status != 0:
+                self.failures.append(("kills", name, run.err))
+                return
+            wholes[name] = ((folder / name).read_bytes(), time.monotonic() - begin)
+
+        def check(case):
+            name, kind, share = case
+            whole, seconds = wholes[name]
+            number = getattr(signal, "SIG" + kind)
+            folder = self.folder()
+            (folder / name).write_bytes(b"old")
+            run = Run(words[name], folder, end=(number, share * seconds))
+            left = [path for path in folder.iterdir() if LEFTOVER.search(path.name)]
+            if kind == "KILL" and left:  # the next run removes it
+                run_again = Run(words[name], folder)
+                if run_again.status != 0:
+                    return run_again.err
+            return self.wrong_picture(run, folder, whole, (0, -number), name=name)
+
+        cases = ((source.choice(KILLED), source.choice(SIGNALS), 1.2 * source.random())
+                 for _ in range(self.count or (14 if self.short else 140)))
+        self.all("kills", check, cases)
 
     def limits(self):
         """Too little memory, too few threads."""
@@ -275,7 +317,8 @@ class Faults:
             written = [w for w in outputs if (folder / w).exists()]
             return f"status {run.status}, with {written}" if run.status != 0 and written else None
 
-        self.all("words", check, hostile.command_lines(source, 40 if self.short else 500))
+        count = self.count or (40 if self.short else 500)
+        self.all("words", check, hostile.command_lines(source, count))
 
     def corpus(self):
         """Input that would take for ever, or fool somebody; within seconds and bytes."""
@@ -354,14 +397,15 @@ class Faults:
         return None if len(contents) == 1 else f"{len(contents)} different files"
 
 
-PARTS = ["calls", "signals", "limits", "words", "corpus"]
+PARTS = ["calls", "signals", "kills", "limits", "words", "corpus"]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("saddle")
     parser.add_argument("--short", action="store_true", help="the part that ./dev test has")
-    parser.add_argument("--seed", type=int, default=1, help="of the random command lines")
+    parser.add_argument("--seed", type=int, default=1, help="of the random cases")
+    parser.add_argument("--count", type=int, help="of the random cases: of kills and of words")
     parser.add_argument("--only", action="append", choices=PARTS)
     options = parser.parse_args()
     faults = Faults(options)

@@ -68,6 +68,21 @@ TEST(Warnings, NameTheLimitThatLeftNormalsCoarse) {
   EXPECT_TRUE(mesh_warnings("s", coarse, kDomain).back().ends_with("--max-triangles allows more"));
 }
 
+TEST(Warnings, SayThatFewerSurfacesHaveLargerSharesOfTheLimits) {
+  MeshResult coarse = mesh_between({-1, 0}, {1, 2});
+  coarse.report.tolerance = 1e-3;
+  coarse.report.max_error = 2e-3;
+  coarse.report.reached_limit = true;
+  const auto text_of = [&coarse](bool shares_limits) {
+    return mesh_findings(coarse, kDomain, shares_limits).back().text;
+  };
+  EXPECT_TRUE(text_of(true).ends_with("; fewer surfaces or --max-triangles allows more"));
+  coarse.report.budget_spent = true;
+  EXPECT_TRUE(text_of(true).ends_with(
+      "; fewer surfaces or smaller ranges show more, --max-triangles allows more work"));
+  EXPECT_EQ(text_of(false).find("fewer surfaces"), std::string::npos);
+}
+
 TEST(Warnings, NameTheTrianglesThatAToleranceNeeds) {
   MeshResult coarse = mesh_between({-1, 0}, {1, 2});
   coarse.report.tolerance = 1e-3;

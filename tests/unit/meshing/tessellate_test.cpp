@@ -44,15 +44,25 @@ TEST(MostTriangles, AreFourMillionForWhoeverAsksForCells) {
 TEST(MostTriangles, OfSeveralSurfacesAreSharedEvenly) {
   Scene scene = picture_of(800, 600);
   scene.surfaces.resize(2);
-  EXPECT_EQ(most_triangles(scene, {}), 1'000'000U);
+  EXPECT_EQ(most_triangles(scene, {}), 750'000U);
   scene.surfaces.resize(10);
-  EXPECT_EQ(most_triangles(scene, {}), 250'000U);
+  EXPECT_EQ(most_triangles(scene, {}), 150'000U);
   scene.mesh.tolerance = ToleranceValue{1e-6, false};
-  EXPECT_EQ(most_triangles(scene, {}), 250'000U);
+  EXPECT_EQ(most_triangles(scene, {}), 150'000U);
   scene.surfaces.resize(20'000);
   EXPECT_EQ(most_triangles(scene, {}), 300U);
   scene.mesh.max_triangles = 5'000'000;
   EXPECT_EQ(most_triangles(scene, {}), 5'000'000U);
+}
+
+TEST(MostTriangles, AreSharedBySeveralSurfacesUnlessTheyAreAskedFor) {
+  Scene scene = picture_of(800, 600);
+  scene.surfaces.resize(1);
+  EXPECT_FALSE(shares_limits(scene));
+  scene.surfaces.resize(2);
+  EXPECT_TRUE(shares_limits(scene));
+  scene.mesh.max_triangles = 1000;
+  EXPECT_FALSE(shares_limits(scene));
 }
 
 TEST(MostTriangles, AreThoseThatAreAskedForAboveAll) {
