@@ -105,6 +105,39 @@ TEST_F(PanelRows, DragSlidersToRoundValues) {
   EXPECT_EQ(value(), "2") << "a drag is one change";
 }
 
+TEST_F(PanelRows, BeginTheirFieldsAtOnePlace) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  const Image screen = screenshot();
+  const auto begin_of_field = [&](int y) {
+    int x = 20;  // behind the name
+    const auto is_field = [&](const std::uint8_t* p) { return p[2] > p[0] + 20; };
+    while (x < 60 && !is_field(screen.pixel(x, y))) ++x;
+    return x;
+  };
+  constexpr int kAboveLetters = -8;
+  const int x = begin_of_field(65 + kAboveLetters);
+  EXPECT_LT(x, 60);
+  for (const double row : {90.0, kFieldOfZ, 140.0, kRowOfParameter, kRowOfParameter + kApart}) {
+    EXPECT_EQ(begin_of_field(static_cast<int>(row) + kAboveLetters), x) << "at " << row;
+  }
+}
+
+TEST_F(PanelRows, ShowWhatHoldsWhereNoWordIsChosen) {
+  ViewerSetup setup = setup_of(entry("torus"));
+  setup.scene.picture.height = 650;
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(rests(viewer));
+  press_at(viewer, {20, 186});  // more
+  ASSERT_TRUE(rests(viewer));
+  const Image screen = screenshot();
+  int letters = 0;
+  for (int y = 277; y < 291; ++y) {  // the colour map
+    for (int x = 82; x < 200; ++x) letters += screen.pixel(x, y)[0] > 100 ? 1 : 0;
+  }
+  EXPECT_GT(letters, 50);
+}
+
 TEST_F(PanelRows, MakeASliderForAnUnknownName) {
   Viewer viewer(setup_of(entry("torus")));
   ASSERT_TRUE(rests(viewer));

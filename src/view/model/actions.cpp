@@ -37,7 +37,7 @@ constexpr auto kTable = std::to_array<ActionRow>({
     {Action::AlongZ, "Along z", "z", Menu::View, "look along z"},
     {Action::Orthographic, "Orthographic", "o", Menu::View, "orthographic or perspective"},
     {Action::Turntable, "Turntable", "t", Menu::View,
-     "turn on a table, which keeps up up, or on a ball"},
+     "turn as on a table, about the up axis, or freely, as a ball"},
     {Action::Play, "Play", "Space", Menu::View, "play t; stop what plays", Needs::Movement},
     {Action::Panel, "Panel", "F2", Menu::View, "panel on or off"},
     {Action::FullScreen, "Full screen", "F11", Menu::View, "the whole screen, or a window"},

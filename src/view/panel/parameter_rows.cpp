@@ -127,7 +127,8 @@ void show_slider(Desk& desk, const ParameterRow& row, double number) {
   show_end(desk, row, "##max", high, &Slider::max);
   ImGui::SameLine();
   const bool plays = desk.model.played() == row.place;
-  if (icon_button(plays ? Icon::Stop : Icon::Play, "from end to end; right click: how")) {
+  const char* const tip = plays ? "stop" : "play from end to end; a right click chooses how";
+  if (icon_button(plays ? Icon::Stop : Icon::Play, tip)) {
     desk.model.play(plays ? std::nullopt : std::optional(row.place));
   }
   asks = asks || ImGui::IsItemClicked(ImGuiMouseButton_Right);
