@@ -86,7 +86,7 @@ std::span<const ActionRow> action_table() {
 const char* lack_of(Needs needs) {
   constexpr std::array kLacks{"",
                               "there is nothing to undo",
-                              "there is nothing to do again",
+                              "there is nothing to redo",
                               "nothing depends on t: write t into a formula, such as sin(u+t)",
                               "this scene came from no file: Ctrl-O opens one",
                               "there is no unsaved work",
