@@ -155,6 +155,31 @@ TEST_F(PanelRows, MakeASliderForAnUnknownName) {
   EXPECT_FALSE(viewer.model().error());
 }
 
+TEST_F(PanelRows, RestWhileAFieldHasATextOfItsOwn) {
+  ViewerSetup setup = setup_of(entry("torus"));
+  setup.scene.picture.height = 650;
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(rests(viewer));
+  const auto rests_after = [&](const dvec2& field, const std::string& typed) {
+    press_at(viewer, field);
+    key(viewer, "", kEnd);
+    type(viewer, typed);
+    ASSERT_TRUE(rests(viewer)) << typed;
+    const std::size_t version = viewer.model().history().version();
+    for (int i = 0; i < 3; ++i) press_at(viewer, field);
+    EXPECT_EQ(viewer.model().history().version(), version) << typed;
+    ASSERT_TRUE(rests(viewer)) << typed;
+  };
+  constexpr dvec2 kEndOfSlider{232, kRowOfParameter};
+  rests_after(kEndOfSlider, "-");  // no number
+  rests_after(kEndOfSlider, "5");  // nor is 4-5
+  press_at(viewer, kMiddle);
+  rests_after(kEndOfSlider, ".0");  // the same number
+  press_row(viewer, kLights);
+  press_row(viewer, kLights + kApart);             // the first light
+  rests_after({200, kLights + 4 * kApart}, ".0");  // its position
+}
+
 TEST_F(PanelRows, AddHideAndUndo) {
   Viewer viewer(setup_of(entry("torus")));
   ASSERT_TRUE(rests(viewer));
