@@ -180,6 +180,26 @@ TEST_F(PanelRows, RestWhileAFieldHasATextOfItsOwn) {
   rests_after({200, kLights + 4 * kApart}, ".0");  // its position
 }
 
+TEST_F(PanelRows, NameTheSliderWhoseEndsAreWrong) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  press_at(viewer, {100, kRowOfParameter});  // where it begins: 0
+  key(viewer, "", kEnd);
+  type(viewer, "9");
+  ASSERT_TRUE(rests(viewer));
+  ASSERT_TRUE(viewer.model().error());
+  const Image screen = screenshot();
+  constexpr int kBehindTheMessage = 200;  // alone, without a name
+  int letters = 0;
+  for (int y = 252; y < 268; ++y) {
+    for (int x = kBehindTheMessage; x < 300; ++x) {
+      const auto* const p = screen.pixel(x, y);
+      letters += p[0] > p[2] + 60 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(letters, 20);
+}
+
 TEST_F(PanelRows, AddHideAndUndo) {
   Viewer viewer(setup_of(entry("torus")));
   ASSERT_TRUE(rests(viewer));

@@ -242,8 +242,11 @@ bool fold_row(const std::string& name, int icons, bool is_open_at_first) {
 }
 
 void show_error(const Error& error) {
-  show_place(error.place());
-  show_wrapped(Tone::Wrong, error.what());
+  const Place& place = error.place();
+  show_place(place);
+  // Where there is no text to show, the name tells what is wrong.
+  const bool needs_name = place.text.empty() && !place.name.empty();
+  show_wrapped(Tone::Wrong, (needs_name ? place.name + ": " : "") + error.what());
   if (!error.hint().empty()) show_wrapped(Tone::Quiet, error.hint());
 }
 
