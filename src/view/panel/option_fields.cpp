@@ -76,7 +76,7 @@ void each_row_of(Table table, const std::function<void(const Option&)>& visit) {
   }
 }
 
-/// What holds where its field is empty.
+/// The value that holds where the field of a key is empty.
 std::string hint_of(const Option& option) {
   std::string usual = default_text(option);
   const bool is_of_scene =

@@ -76,7 +76,7 @@ void show_place(const Place& place) {
   ImGui::TextUnformatted(behind_place(text, end).c_str());
 }
 
-/// What follows stands behind it, and behind names of one letter at one place.
+/// The field that follows stands behind it; behind names of one letter it stands at one place.
 void show_name_as(const std::string& seen) {
   ImGui::AlignTextToFramePadding();
   const float begin = ImGui::GetCursorPosX();
