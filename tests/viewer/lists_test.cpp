@@ -86,6 +86,17 @@ TEST_F(Workplace, WritesFilesOfAnyFormat) {
   ASSERT_TRUE(take("gl", "gl.png")) << "the first of its names";
 }
 
+TEST_F(Workplace, ListsTheFormatsWhereAnEndingIsNone) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  choose(viewer, "Ctrl-E", "a.xyz");
+  ASSERT_TRUE(rests(viewer));
+  EXPECT_FALSE(std::filesystem::exists(path("a.png"))) << "nothing is written unasked";
+  key(viewer, "", kDown);
+  key(viewer, "Return", kReturn);
+  EXPECT_TRUE(until(viewer, [&] { return std::filesystem::exists(path("a.png")); }));
+}
+
 TEST_F(Workplace, GoesOnWhileAPictureIsSaved) {
   write("slow", "#!/bin/sh\ncat >/dev/null\nuntil [ -e go ]; do sleep 0.01; done\ntouch \"$3\"\n");
   std::filesystem::permissions(path("slow"), std::filesystem::perms::owner_all);

@@ -105,6 +105,39 @@ TEST_F(PanelRows, DragSlidersToRoundValues) {
   EXPECT_EQ(value(), "2") << "a drag is one change";
 }
 
+TEST_F(PanelRows, BeginTheirFieldsAtOnePlace) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  const Image screen = screenshot();
+  const auto begin_of_field = [&](int y) {
+    int x = 20;  // behind the name
+    const auto is_field = [&](const std::uint8_t* p) { return p[2] > p[0] + 20; };
+    while (x < 60 && !is_field(screen.pixel(x, y))) ++x;
+    return x;
+  };
+  constexpr int kAboveLetters = -8;
+  const int x = begin_of_field(65 + kAboveLetters);
+  EXPECT_LT(x, 60);
+  for (const double row : {90.0, kFieldOfZ, 140.0, kRowOfParameter, kRowOfParameter + kApart}) {
+    EXPECT_EQ(begin_of_field(static_cast<int>(row) + kAboveLetters), x) << "at " << row;
+  }
+}
+
+TEST_F(PanelRows, ShowWhatHoldsWhereNoWordIsChosen) {
+  ViewerSetup setup = setup_of(entry("torus"));
+  setup.scene.picture.height = 650;
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(rests(viewer));
+  press_at(viewer, {20, 186});  // more
+  ASSERT_TRUE(rests(viewer));
+  const Image screen = screenshot();
+  int letters = 0;
+  for (int y = 277; y < 291; ++y) {  // the colour map
+    for (int x = 82; x < 200; ++x) letters += screen.pixel(x, y)[0] > 100 ? 1 : 0;
+  }
+  EXPECT_GT(letters, 50);
+}
+
 TEST_F(PanelRows, MakeASliderForAnUnknownName) {
   Viewer viewer(setup_of(entry("torus")));
   ASSERT_TRUE(rests(viewer));
@@ -120,6 +153,51 @@ TEST_F(PanelRows, MakeASliderForAnUnknownName) {
   ASSERT_EQ(scene.definitions.back().name, "kk");
   EXPECT_EQ(scene.sliders.back().name, "kk");
   EXPECT_FALSE(viewer.model().error());
+}
+
+TEST_F(PanelRows, RestWhileAFieldHasATextOfItsOwn) {
+  ViewerSetup setup = setup_of(entry("torus"));
+  setup.scene.picture.height = 650;
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(rests(viewer));
+  const auto rests_after = [&](const dvec2& field, const std::string& typed) {
+    press_at(viewer, field);
+    key(viewer, "", kEnd);
+    type(viewer, typed);
+    ASSERT_TRUE(rests(viewer)) << typed;
+    const std::size_t version = viewer.model().history().version();
+    for (int i = 0; i < 3; ++i) press_at(viewer, field);
+    EXPECT_EQ(viewer.model().history().version(), version) << typed;
+    ASSERT_TRUE(rests(viewer)) << typed;
+  };
+  constexpr dvec2 kEndOfSlider{232, kRowOfParameter};
+  rests_after(kEndOfSlider, "-");  // no number
+  rests_after(kEndOfSlider, "5");  // nor is 4-5
+  press_at(viewer, kMiddle);
+  rests_after(kEndOfSlider, ".0");  // the same number
+  press_row(viewer, kLights);
+  press_row(viewer, kLights + kApart);             // the first light
+  rests_after({200, kLights + 4 * kApart}, ".0");  // its position
+}
+
+TEST_F(PanelRows, NameTheSliderWhoseEndsAreWrong) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  press_at(viewer, {100, kRowOfParameter});  // where it begins: 0
+  key(viewer, "", kEnd);
+  type(viewer, "9");
+  ASSERT_TRUE(rests(viewer));
+  ASSERT_TRUE(viewer.model().error());
+  const Image screen = screenshot();
+  constexpr int kBehindTheMessage = 200;  // alone, without a name
+  int letters = 0;
+  for (int y = 252; y < 268; ++y) {
+    for (int x = kBehindTheMessage; x < 300; ++x) {
+      const auto* const p = screen.pixel(x, y);
+      letters += p[0] > p[2] + 60 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(letters, 20);
 }
 
 TEST_F(PanelRows, AddHideAndUndo) {

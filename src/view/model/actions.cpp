@@ -37,7 +37,7 @@ constexpr auto kTable = std::to_array<ActionRow>({
     {Action::AlongZ, "Along z", "z", Menu::View, "look along z"},
     {Action::Orthographic, "Orthographic", "o", Menu::View, "orthographic or perspective"},
     {Action::Turntable, "Turntable", "t", Menu::View,
-     "turn on a table, which keeps up up, or on a ball"},
+     "turn as on a table, about the up axis, or freely, as a ball"},
     {Action::Play, "Play", "Space", Menu::View, "play t; stop what plays", Needs::Movement},
     {Action::Panel, "Panel", "F2", Menu::View, "panel on or off"},
     {Action::FullScreen, "Full screen", "F11", Menu::View, "the whole screen, or a window"},
@@ -86,7 +86,7 @@ std::span<const ActionRow> action_table() {
 const char* lack_of(Needs needs) {
   constexpr std::array kLacks{"",
                               "there is nothing to undo",
-                              "there is nothing to do again",
+                              "there is nothing to redo",
                               "nothing depends on t: write t into a formula, such as sin(u+t)",
                               "this scene came from no file: Ctrl-O opens one",
                               "there is no unsaved work",

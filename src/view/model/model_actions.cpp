@@ -15,6 +15,10 @@ Shading shading_of(Action action) {
 
 /// The finest tolerance that a key gives: a sixteenth of a pixel is no more than eight bits show.
 constexpr double kFinestPixels = 1.0 / 16;
+/// The coarsest one, in pixels and as a share of the surface's size: in a picture of usual size an
+/// eighth of it. Beyond that the mesh is bounded by its normals.
+constexpr double kCoarsestPixels = 64;
+constexpr double kCoarsestShare = 1.0 / 8;
 
 }  // namespace
 
@@ -128,6 +132,11 @@ bool Model::change_tolerance(double factor) {
   ToleranceValue& wanted = *scene.mesh.tolerance;
   if (factor < 1 && wanted.pixels && wanted.value <= kFinestPixels) {
     news_ = "a finer mesh would look the same; the field 'tolerance' takes any number";
+    return true;
+  }
+  if (factor > 1 && wanted.value >= (wanted.pixels ? kCoarsestPixels : kCoarsestShare)) {
+    news_ =
+        "a coarser mesh would not look like the surface; the field 'tolerance' takes any number";
     return true;
   }
   wanted.value *= factor;

@@ -51,12 +51,14 @@ void show_figures(const Model& model, const Figures& figures) {
                                         surface->mesh.triangles.size(), report.evaluations));
     if (report.tolerance) {
       show_wrapped(Tone::Quiet,
-                   formatted("off by %.2g of %.2g", report.max_error, *report.tolerance));
+                   formatted("error %.2g, tolerance %.2g", report.max_error, *report.tolerance));
     }
   }
-  show_wrapped(Tone::Quiet, formatted("mesh %.1f ms", model.last_good().milliseconds));
+  if (std::ranges::any_of(model.meshes(), has_triangles)) {
+    show_wrapped(Tone::Quiet, formatted("meshed in %.1f ms", model.last_good().milliseconds));
+  }
   if (figures.moving_ms) {
-    show_wrapped(Tone::Quiet, formatted("%.1f ms a moving frame", *figures.moving_ms));
+    show_wrapped(Tone::Quiet, formatted("drawn in %.1f ms while it moves", *figures.moving_ms));
   }
   if (const auto seconds = model.meshing_seconds()) {
     show_wrapped(Tone::Plain, formatted("meshing: %.0f s", *seconds));

@@ -20,15 +20,22 @@ Number number_of(const std::string& text) {
   return is_plain ? Number(value) : Number(text);
 }
 
+/// False: it is the same number. While "1.0" is in a field, that tells of a change in each frame.
+bool take(const std::string& text, Number& number) {
+  if (text.empty()) return false;
+  Number other = number_of(text);
+  if (expression_of(other) == expression_of(number)) return false;
+  number = std::move(other);
+  return true;
+}
+
 }  // namespace
 
 void number_field(Desk& desk, const std::string& label, const std::string& what,
                   const std::function<Number&(Scene&)>& number_in) {
   Scene scene = desk.scene();
   const auto text = text_field(label, expression_of(number_in(scene)), desk.is_wrong(what));
-  if (!text || text->empty()) return;
-  number_in(scene) = number_of(*text);
-  desk.model.edit(std::move(scene), what);
+  if (text && take(*text, number_in(scene))) desk.model.edit(std::move(scene), what);
 }
 
 void vector_field(Desk& desk, const std::string& label, const std::string& what,
@@ -47,10 +54,7 @@ void vector_field(Desk& desk, const std::string& label, const std::string& what,
     ImGui::PushID(number == &vector.x ? 0 : number == &vector.y ? 1 : 2);
     if (number != &vector.x) ImGui::SameLine();
     const auto text = bare_field("##number", expression_of(*number), letters, desk.is_wrong(what));
-    if (text && !text->empty()) {
-      *number = number_of(*text);
-      changed = true;
-    }
+    changed |= text && take(*text, *number);
     ImGui::PopID();
   }
   ImGui::PopID();

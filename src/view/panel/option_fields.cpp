@@ -76,6 +76,16 @@ void each_row_of(Table table, const std::function<void(const Option&)>& visit) {
   }
 }
 
+/// The value that holds where the field of a key is empty.
+std::string hint_of(const Option& option) {
+  std::string usual = default_text(option);
+  const bool is_of_scene =
+      option.table != Table::Scene && std::ranges::any_of(options(), [&](const Option& other) {
+        return other.table == Table::Scene && other.name == option.name;
+      });
+  return usual.empty() && is_of_scene ? "the scene's" : usual;
+}
+
 }  // namespace
 
 void option_field(Desk& desk, const Option& option, const std::string& owner,
@@ -91,9 +101,9 @@ void option_field(Desk& desk, const Option& option, const std::string& owner,
   if (!has_text(slot)) return;
   const std::string before = text_in(slot);
   const std::vector<std::string> words = choices(option);
-  const auto text = words.empty()
-                        ? text_field(name, before, desk.is_wrong(name), default_text(option))
-                        : word_field(name, before, words);
+  const std::string hint = hint_of(option);
+  const auto text = words.empty() ? text_field(name, before, desk.is_wrong(name), hint)
+                                  : word_field(name, before, words, hint);
   show_tip(for_panel(help_of(option)));
   if (!text) return;
   try {

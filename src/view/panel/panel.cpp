@@ -188,6 +188,8 @@ void Panel::show(Model& model, const Figures& figures, double width) {
       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
       ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_MenuBar |
       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+  const std::size_t version = model.history().version();
+  const double t = model.scene().t;
   Desk desk{model, is_confirmed_, std::nullopt, std::nullopt, can_};
   ImGui::Begin("panel", nullptr, kFixed);
   action_ = show_menus(can_, [&](Action action) { return is_on(model, action); });
@@ -207,7 +209,8 @@ void Panel::show(Model& model, const Figures& figures, double width) {
   const bool begins_with_edit = active != 0 && is_edited;
   if (active != active_ && !begins_with_edit) model.end_edit();
   active_ = active;
-  changed_ |= is_edited;
+  // A field whose text is no value, or not as that is written, tells of an edit in each frame.
+  changed_ |= is_edited && (model.history().version() != version || model.scene().t != t);
 }
 
 }  // namespace saddle

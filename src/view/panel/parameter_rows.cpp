@@ -52,7 +52,7 @@ void show_end(Desk& desk, const ParameterRow& row, const char* id, double value,
   if (!text) return;
   double number = 0;
   const auto [rest, error] = std::from_chars(text->data(), text->data() + text->size(), number);
-  if (error != std::errc() || rest != text->data() + text->size()) return;
+  if (error != std::errc() || rest != text->data() + text->size() || number == value) return;
   desk.edit(row.what + id, [&](Scene& scene) { slider_in(scene, row.place).*end = number; });
 }
 
@@ -87,7 +87,8 @@ void show_manner(Desk& desk, const ParameterRow& row, const Slider& ends) {
     double number = 0;
     const auto [rest, error] = std::from_chars(text->data(), text->data() + text->size(), number);
     const bool is_number = error == std::errc() && rest == text->data() + text->size();
-    if (text->empty() || (is_number && number >= 0 && std::isfinite(number))) {
+    const bool is_step = text->empty() || (is_number && number >= 0 && std::isfinite(number));
+    if (is_step && number != ends.step) {
       desk.edit(row.what + "step",
                 [&](Scene& scene) { slider_in(scene, row.place).step = number; });
     }
@@ -127,7 +128,8 @@ void show_slider(Desk& desk, const ParameterRow& row, double number) {
   show_end(desk, row, "##max", high, &Slider::max);
   ImGui::SameLine();
   const bool plays = desk.model.played() == row.place;
-  if (icon_button(plays ? Icon::Stop : Icon::Play, "from end to end; right click: how")) {
+  const char* const tip = plays ? "stop" : "play from end to end; a right click chooses how";
+  if (icon_button(plays ? Icon::Stop : Icon::Play, tip)) {
     desk.model.play(plays ? std::nullopt : std::optional(row.place));
   }
   asks = asks || ImGui::IsItemClicked(ImGuiMouseButton_Right);

@@ -76,10 +76,19 @@ void show_place(const Place& place) {
   ImGui::TextUnformatted(behind_place(text, end).c_str());
 }
 
-void show_label(const std::string& label) {
+/// The field that follows stands behind it; behind names of one letter it stands at one place.
+void show_name_as(const std::string& seen) {
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label.c_str());
-  ImGui::SameLine();
+  const float begin = ImGui::GetCursorPosX();
+  ImGui::TextUnformatted(seen.c_str());
+  const float end = begin + std::max(ImGui::CalcTextSize(seen.c_str()).x,
+                                     ImGui::CalcTextSize("R").x);  // few letters are wider
+  ImGui::SameLine(0, 0);
+  ImGui::SetCursorPosX(end + ImGui::GetStyle().ItemSpacing.x);
+}
+
+void show_label(const std::string& label) {
+  show_name_as(label);
   ImGui::SetNextItemWidth(-1);
 }
 
@@ -165,11 +174,15 @@ std::optional<std::string> bare_field(const char* id, const std::string& text, f
 }
 
 std::optional<std::string> word_field(const std::string& label, const std::string& word,
-                                      const std::vector<std::string>& words) {
+                                      const std::vector<std::string>& words,
+                                      const std::string& hint) {
   std::optional<std::string> chosen;
   ImGui::PushID(label.c_str());
   show_label(label);
-  if (ImGui::BeginCombo("##words", word.c_str())) {
+  if (word.empty()) ImGui::PushStyleColor(ImGuiCol_Text, inks().quiet);
+  const bool is_open = ImGui::BeginCombo("##words", word.empty() ? hint.c_str() : word.c_str());
+  if (word.empty()) ImGui::PopStyleColor();
+  if (is_open) {
     for (const std::string& each : words) {
       if (ImGui::Selectable(each.c_str(), each == word)) chosen = each;
     }
@@ -210,10 +223,8 @@ float icons_width(int count) {
 void show_name(const std::string& name) {
   constexpr float kShare = 0.3F;
   const std::string seen = shortened(name, kShare * ImGui::GetWindowContentRegionMax().x);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(seen.c_str());
+  show_name_as(seen);
   if (seen != name) show_tip(name);
-  ImGui::SameLine();
 }
 
 bool fold_row(const std::string& name, int icons, bool is_open_at_first) {
@@ -231,8 +242,11 @@ bool fold_row(const std::string& name, int icons, bool is_open_at_first) {
 }
 
 void show_error(const Error& error) {
-  show_place(error.place());
-  show_wrapped(Tone::Wrong, error.what());
+  const Place& place = error.place();
+  show_place(place);
+  // Where there is no text to show, the name tells what is wrong.
+  const bool needs_name = place.text.empty() && !place.name.empty();
+  show_wrapped(Tone::Wrong, (needs_name ? place.name + ": " : "") + error.what());
   if (!error.hint().empty()) show_wrapped(Tone::Quiet, error.hint());
 }
 

@@ -26,9 +26,10 @@ std::optional<std::string> text_field(const std::string& label, const std::strin
 std::optional<std::string> bare_field(const char* id, const std::string& text, float letters,
                                       bool wrong = false);
 
-/// One of some words; what it was changed to.
+/// One of some words; what it was changed to. The hint is shown where there is none.
 std::optional<std::string> word_field(const std::string& label, const std::string& word,
-                                      const std::vector<std::string>& words);
+                                      const std::vector<std::string>& words,
+                                      const std::string& hint = "");
 
 /// A little square of a colour, which opens a picker; what it was changed to.
 std::optional<Color> color_chip(const char* id, const Color& color);

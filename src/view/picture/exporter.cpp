@@ -89,6 +89,21 @@ std::vector<ExportChoice> export_choices(const std::string& title, const std::st
   return choices;
 }
 
+/// In a window each line is saddle's.
+std::string without_program(const std::string& words) {
+  static constexpr std::string_view kProgram = "saddle: ";
+  std::string rest;
+  std::size_t begin = 0;
+  while (begin < words.size()) {
+    const std::size_t end = std::min(words.find('\n', begin), words.size() - 1) + 1;
+    std::string line = words.substr(begin, end - begin);
+    if (line.starts_with(kProgram)) line.erase(0, kProgram.size());
+    rest += line;
+    begin = end;
+  }
+  return rest;
+}
+
 Exporter::Exporter(std::filesystem::path program, unsigned threads, std::function<void()> wake)
     : program_(std::move(program)), threads_(threads), wake_(std::move(wake)) {}
 
@@ -145,7 +160,7 @@ void Exporter::run(const std::string& scene, const std::filesystem::path& path) 
     failed = true;
     news_ = error.what();
   }
-  const std::string& words = child_->words();
+  const std::string words = without_program(child_->words());
   if (!failed) {
     news_ = "wrote " + path.string() + (words.empty() ? "" : "\n" + words);
   } else if (!words.empty()) {

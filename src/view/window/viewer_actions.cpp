@@ -189,7 +189,13 @@ void Viewer::list_files() {
 void Viewer::list_exports() {
   chooser_.open("a file to write, such as torus.glb", "", [this](const std::string& query) {
     std::vector<Choice> choices;
-    for (const ExportChoice& each : export_choices(model_.scene().title, query)) {
+    const std::string& title = model_.scene().title;
+    std::vector<ExportChoice> files = export_choices(title, query);
+    if (files.empty()) {
+      choices.push_back({.name = "no format ends so; there are:", .is_possible = false});
+      files = export_choices(title, query.substr(0, query.rfind('.')));
+    }
+    for (const ExportChoice& each : files) {
       const bool is_possible = !each.needs_movement || can(Action::Play);
       choices.push_back(
           {each.name, each.detail, is_possible, [this, each] { write_file(each.file); }});

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <new>
+#include <optional>
 #include <semaphore>
 #include <string>
 #include <utility>
@@ -445,6 +446,24 @@ TEST(Model, IsAsFineAsCanBeSeen) {
   for (int i = 0; i < 12; ++i) model->act(Action::Finer);
   EXPECT_GE(model->tolerance().value, 1.0 / 16);
   EXPECT_TRUE(model->take_news());
+}
+
+TEST(Model, StaysAsCoarseAsCanBeUndoneByAFewKeys) {
+  for (const std::optional<ToleranceValue> first :
+       {std::optional<ToleranceValue>(), std::optional(ToleranceValue{1e-3, false})}) {
+    PlaneModel model("1");
+    Scene scene = model->scene();
+    scene.mesh.tolerance = first;
+    model->edit(scene, "");
+    for (int i = 0; i < 30; ++i) model->act(Action::Coarser);
+    const ToleranceValue coarsest = *model->scene().mesh.tolerance;
+    EXPECT_LE(coarsest.value, coarsest.pixels ? 64 : 0.25);
+    const auto news = model->take_news();
+    ASSERT_TRUE(news);
+    EXPECT_NE(news->find("coarser"), std::string::npos) << *news;
+    model->act(Action::Finer);
+    EXPECT_EQ(model->scene().mesh.tolerance->value, coarsest.value / 2);
+  }
 }
 
 }  // namespace
