@@ -136,6 +136,75 @@ TEST_F(Edges, MarkTheRootCellsThatFeaturesCut) {
   }
 }
 
+/// Three jumps on the side from vertex 0 to 1, with two strips between them, in parts of the side.
+class PartsOfEdges : public Edges {
+ protected:
+  PartsOfEdges() {
+    const auto add = [this](double at) { return vertices_.add_between({at * kCellUnit, 0}); };
+    for (const double at : {0.1, 0.3, 0.3, 0.8}) strips_.push_back(add(at));
+    jumps_.first_on_strips = strips_.front();
+    jumps_.strips = 2;
+    jumps_.beside_first = add(0.1);
+    jumps_.beside_second = add(0.8);
+  }
+  std::uint32_t vertex_at(double part) {
+    return vertices_.vertex({static_cast<std::uint32_t>(part * kCellUnit), 0});
+  }
+  void file(const EdgeFeature& jumps) {
+    edges_.set_feature(0, 1, jumps);
+    edges_.set_proved(0, 1);
+  }
+
+  std::vector<std::uint32_t> strips_;
+  EdgeFeature jumps_{FeatureKind::Jump, 0, 0, 0};
+};
+
+TEST_F(PartsOfEdges, GetTheJumpsThatAreInThem) {
+  file(jumps_);
+  const std::uint32_t middle = vertex_at(0.5);
+  edges_.pass_on(1, middle, 0);
+  const auto near = edges_.feature(0, middle);
+  const auto far = edges_.feature(middle, 1);
+  ASSERT_TRUE(near && far);
+  EXPECT_EQ(near->strips, 1);
+  EXPECT_EQ(near->beside(0), jumps_.beside_first);
+  EXPECT_EQ(near->on_strip(0, 0), (std::array{strips_[0], strips_[1]}));
+  EXPECT_EQ(near->beside(middle), strips_[2]);
+  EXPECT_EQ(far->strips, 0);
+  EXPECT_EQ(far->beside(middle), strips_[3]);
+  EXPECT_EQ(far->beside(1), jumps_.beside_second);
+  // Both go on to their parts.
+  const std::uint32_t quarter = vertex_at(0.25);
+  edges_.pass_on(0, quarter, middle);
+  EXPECT_EQ(edges_.feature(0, quarter)->beside(quarter), strips_[0]);
+  EXPECT_EQ(edges_.feature(quarter, middle)->beside(quarter), strips_[1]);
+  const std::uint32_t beyond = vertex_at(0.75);
+  edges_.pass_on(middle, beyond, 1);
+  EXPECT_TRUE(edges_.is_continuous(middle, beyond));
+  EXPECT_TRUE(edges_.feature(beyond, 1));
+}
+
+TEST_F(PartsOfEdges, AreSearchedIfAJumpIsBetweenThemOrNotAllAreKnown) {
+  edges_.set_feature(0, 1, jumps_);
+  const std::uint32_t middle = vertex_at(0.5);
+  edges_.pass_on(0, middle, 1);
+  EXPECT_FALSE(edges_.is_searched(0, middle));
+  const std::uint32_t at_jump = vertices_.add_between({0.3 * kCellUnit, 0});
+  edges_.set_proved(0, 1);
+  edges_.pass_on(0, at_jump, 1);
+  EXPECT_FALSE(edges_.is_searched(0, at_jump));
+}
+
+TEST_F(PartsOfEdges, AreContinuousIfTheWholeIs) {
+  edges_.set_continuous(0, 1);
+  edges_.set_proved(0, 1);
+  const std::uint32_t middle = vertex_at(0.5);
+  edges_.pass_on(0, middle, 1);
+  EXPECT_TRUE(edges_.is_continuous(0, middle));
+  EXPECT_TRUE(edges_.is_continuous(middle, 1));
+  EXPECT_FALSE(edges_.is_searched(0, middle));  // for creases
+}
+
 TEST_F(Edges, PayForFeaturesAndPoles) {
   const std::size_t before = effort_.total();
   edges_.set_feature(0, 1, std::nullopt);
