@@ -37,7 +37,7 @@ Interval hull(const Interval& a, const Interval& b) {
 }
 
 Interval narrow(const Interval& natural, const Interval& slope, const Interval& function) {
-  /// What doubles round of the function's two values, in parts of it: a hundred steps of its
+  /// Rounding errors of the function's two values, in parts of it: those of a hundred steps of its
   /// formula that do not cancel.
   constexpr double kRounding = 100 * rounding::kRoundoff;
   const bool is_proved =

@@ -14,7 +14,7 @@
 namespace saddle {
 
 /// Every operation a node can be. The rows of formula/ops.def, after the two kinds of leaves and
-/// two operations that only enclosures have: formula/differences.h.
+/// two operations that only enclosures have: eval/differences.h.
 enum class Op : std::uint8_t {
   Constant,
   Variable,

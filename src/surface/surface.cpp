@@ -8,8 +8,8 @@
 #include "base/parallel.h"
 #include "base/run_limits.h"
 #include "eval/batch.h"
+#include "eval/differences.h"
 #include "eval/vectors.h"
-#include "formula/differences.h"
 #include "surface/forms.h"
 
 namespace saddle {

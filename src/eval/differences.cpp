@@ -1,4 +1,4 @@
-#include "formula/differences.h"
+#include "eval/differences.h"
 
 #include <array>
 #include <cmath>
@@ -56,7 +56,7 @@ Shifted shifted(const Graph& graph, NodeId id) {
   }
 }
 
-/// What a function is given at two places: base + first and base + second.
+/// An argument of a function at two places: base + first and base + second.
 struct Argument {
   NodeId base;
   double first, second;
@@ -95,7 +95,7 @@ class Comparison {
   }
 
  private:
-  /// What two different nodes are, if each is an argument with a constant added.
+  /// The use of two different nodes, if each is an argument with a constant added.
   std::optional<Use> use_of(NodeId first, NodeId second) {
     const Shifted a = shifted(graph_, first);
     const Shifted b = shifted(graph_, second);

@@ -1,4 +1,4 @@
-#include "formula/differences.h"
+#include "eval/differences.h"
 
 #include <gtest/gtest.h>
 
