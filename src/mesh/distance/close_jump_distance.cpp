@@ -38,8 +38,8 @@ CloseJumpDistance::Sheets CloseJumpDistance::sheets_of(const Leaf& leaf,
   for (std::size_t k = 0; k < last; ++k) {
     const Side a = {here(k).after, here(k + 1).before};
     const Side b = {there(k).before, there(k + 1).after};
-    sheets.segments.push_back(
-        {0.5 * (position[a[0]] + position[a[1]]), 0.5 * (position[b[0]] + position[b[1]])});
+    for (const std::size_t edge : {0, 1})
+      sheets.segments.push_back({position[a[edge]], position[b[edge]]});
     sheets.in_strips.push_back({middle(a[0], a[1]), middle(b[0], b[1])});
   }
   sheets.segments.push_back({position[here(last).after], position[there(last).before]});
@@ -94,8 +94,8 @@ std::vector<std::vector<Line>> CloseJumpDistance::jumps_between_strips(double de
           bracket_of({uv[next], uv[next + 1]}, across.line, points[next], points[next + 1]));
     ++next;
   }
-  const auto found = bisect_positions(surface_, gaps, delta, Prefer::Largest, kAllHalvings,
-                                      threads_, evaluations_);
+  const auto found =
+      bisect_positions(surface_, gaps, delta, Prefer::Largest, kAllHalvings, threads_, looks_);
   std::vector<std::vector<Line>> jumps(across_.size());
   next = 0;
   for (std::size_t i = 0; i < across_.size(); ++i) {
@@ -119,7 +119,7 @@ void CloseJumpDistance::search(double delta, std::span<std::vector<Line>> jumps)
     numbers.push_back(k);
     lines.push_back(across_[k].line);
   }
-  const auto first = find_discontinuities(surface_, lines, delta, threads_, evaluations_);
+  const auto first = find_discontinuities(surface_, lines, delta, threads_, looks_);
   std::vector<std::size_t> crossed;
   std::vector<Line> crossed_lines;
   std::vector<LocatedDiscontinuity> known;
@@ -129,7 +129,7 @@ void CloseJumpDistance::search(double delta, std::span<std::vector<Line>> jumps)
     crossed_lines.push_back(lines[k]);
     known.push_back(first[k]);
   }
-  auto all = find_all_jumps(surface_, crossed_lines, known, delta, threads_, evaluations_);
+  auto all = find_all_jumps(surface_, crossed_lines, known, delta, threads_, looks_);
   for (std::size_t k = 0; k < crossed.size(); ++k) jumps[crossed[k]] = std::move(all[k]);
 }
 
@@ -138,33 +138,47 @@ std::vector<LeafDistance> CloseJumpDistance::measure(double delta) {
   if (across_.empty()) return found;
   std::vector<std::vector<Line>> jumps = jumps_between_strips(delta);
   search(delta, jumps);
-  // The sheets on the way: the outer ones where they end, the strips in their middles.
+  // The edges of sheets on the way.
   std::vector<std::vector<dvec2>> places(across_.size());
   std::vector<dvec2> uv;
   for (std::size_t i = 0; i < across_.size(); ++i) {
     if (jumps[i].empty()) continue;
     std::vector<dvec2>& of = places[i];
-    of.push_back(jumps[i].front()[0]);
-    for (std::size_t k = 0; k + 1 < jumps[i].size(); ++k)
-      of.push_back(0.5 * (jumps[i][k][1] + jumps[i][k + 1][0]));
-    of.push_back(jumps[i].back()[1]);
+    for (const Line& jump : jumps[i]) of.insert(of.end(), jump.begin(), jump.end());
     uv.insert(uv.end(), of.begin(), of.end());
   }
   const std::vector<dvec3> positions = evaluate_positions(surface_, uv, threads_);
   evaluations_ += uv.size();
   std::size_t next = 0;
+  std::array<std::vector<double>, kAlongLine.size()> along;  // of the edges, on a leaf's lines
   for (std::size_t k = 0; k < across_.size(); ++k) {
-    measure(across_[k], places[k], std::span(positions).subspan(next, places[k].size()), found);
+    along[k % along.size()] =
+        measure(across_[k], places[k], std::span(positions).subspan(next, places[k].size()), found);
     next += places[k].size();
+    if ((k + 1) % along.size() == 0) measure_ends(across_[k].leaf, along, found);
   }
   return found;
 }
 
-/// Sheets are measured one by one. If a line crosses others than the mesh has, each sheet of the
-/// surface is measured from the triangles, and each of the mesh from the sheets of the surface.
-void CloseJumpDistance::measure(const Across& across, std::span<const dvec2> uv,
-                                std::span<const dvec3> sheets,
-                                std::vector<LeafDistance>& found) const {
+/// Where an edge turns near an end of its chord, as at the end of a slot, distances grow up to
+/// there.
+void CloseJumpDistance::measure_ends(std::size_t leaf, std::span<const std::vector<double>> along,
+                                     std::vector<LeafDistance>& found) {
+  const std::size_t edges = along[0].size();
+  if (along[1].size() != edges || along[2].size() != edges) return;
+  for (std::size_t k = 0; k < edges; ++k) {
+    const double larger = std::max(along[0][k], along[2][k]);
+    found.push_back({leaf, 2 * larger - along[1][k], true});
+  }
+}
+
+/// Edges of sheets are measured one by one. If a line crosses others than the mesh has, each edge
+/// of the surface is measured from the triangles, and each of the mesh from those of the surface.
+/// Returns the distances in the first case.
+std::vector<double> CloseJumpDistance::measure(const Across& across, std::span<const dvec2> uv,
+                                               std::span<const dvec3> sheets,
+                                               std::vector<LeafDistance>& found) const {
+  std::vector<double> distances;
   const bool is_alike = sheets.size() == across.sheets.size();
   for (std::size_t k = 0; k < sheets.size(); ++k) {
     if (!is_finite(sheets[k])) continue;
@@ -176,14 +190,16 @@ void CloseJumpDistance::measure(const Across& across, std::span<const dvec2> uv,
         least = std::min(least, distance_from_triangle(grid_, triangle, sheets[k]));
     }
     found.push_back({across.leaf, least, true, uv[k]});
+    if (is_alike) distances.push_back(least);
   }
-  if (is_alike) return;
+  if (is_alike) return distances;
   for (const auto& [from, to] : across.sheets) {
     const dvec3 p = glm::mix(from, to, across.share);
     double least = std::numeric_limits<double>::infinity();
     for (const dvec3& sheet : sheets) least = std::min(least, glm::distance(sheet, p));
     if (!sheets.empty()) found.push_back({across.leaf, least, true});
   }
+  return {};
 }
 
 }  // namespace saddle

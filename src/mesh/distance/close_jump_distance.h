@@ -31,6 +31,8 @@ class CloseJumpDistance {
   std::vector<LeafDistance> measure(double delta);
 
   std::size_t evaluations() const { return evaluations_; }
+  /// Points and boxes in searches for jumps.
+  std::size_t looks() const { return looks_; }
 
  private:
   /// A line across a leaf, from one of the sheets that the strips part to the other.
@@ -39,14 +41,17 @@ class CloseJumpDistance {
     std::span<const Triangle> triangles;
     Line line;
     double share;  ///< where it crosses the segments
-    /// The segments along which the mesh's sheets end or, of strips, go through the leaf.
+    /// The edges of the mesh's sheets, in the order of the line.
     std::vector<std::array<dvec3, 2>> sheets;
     std::vector<dvec2> in_strips;  ///< where the mesh has its strips on the line
   };
   std::vector<std::vector<Line>> jumps_between_strips(double delta);
   void search(double delta, std::span<std::vector<Line>> jumps);
-  void measure(const Across& across, std::span<const dvec2> uv, std::span<const dvec3> sheets,
-               std::vector<LeafDistance>& found) const;
+  std::vector<double> measure(const Across& across, std::span<const dvec2> uv,
+                              std::span<const dvec3> sheets,
+                              std::vector<LeafDistance>& found) const;
+  static void measure_ends(std::size_t leaf, std::span<const std::vector<double>> along,
+                           std::vector<LeafDistance>& found);
   /// The sheets of a leaf, sheet by sheet.
   struct Sheets {
     std::vector<std::array<dvec3, 2>> segments;
@@ -61,6 +66,7 @@ class CloseJumpDistance {
   unsigned threads_;
   std::vector<Across> across_;
   std::size_t evaluations_ = 0;
+  std::size_t looks_ = 0;
 };
 
 }  // namespace saddle

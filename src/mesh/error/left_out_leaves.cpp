@@ -4,20 +4,15 @@
 #include <optional>
 #include <span>
 
-#include <glm/geometric.hpp>
-
 #include "mesh/model/clip.h"
 #include "mesh/model/triangle_tree.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
+#include "mesh/tree/feature_count.h"
 
 namespace saddle {
 
 namespace {
-
-/// Strips on a side of a leaf that is left out are places of sheets if they are wider than this
-/// part of the side. Others are lines.
-constexpr double kClose = 0.25;
 
 /// Places of the sheets around a leaf. A vertex with a value of its own is on none: a feature cuts
 /// a side of the leaf at its place, or may do so where the side has several.
@@ -35,12 +30,10 @@ std::vector<dvec2> places_around(const Leaf& leaf, const CellTree& tree) {
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     if (const auto between = tree.edges().between_features(a, b)) places.push_back(*between);
     const auto feature = tree.edges().feature(a, b);
-    const auto& uv = tree.mesh().uv;
     for (std::size_t k = 0; feature && k < feature->strips; ++k) {
+      if (!is_wide_strip(*feature, k, {a, b}, tree)) continue;  // a line, if the leaf is too small
       const auto [first, second] = feature->on_strip(k, a);
-      const bool is_wide =
-          glm::distance(uv[first], uv[second]) > kClose * glm::distance(uv[a], uv[b]);
-      if (is_wide) places.push_back(0.5 * (uv[first] + uv[second]));
+      places.push_back(0.5 * (tree.mesh().uv[first] + tree.mesh().uv[second]));
     }
     for (const std::uint32_t end : {a, b}) {
       const bool is_on_sheet = tree.geometry().is_defined(end) && std::ranges::count(cut, end) == 0;

@@ -14,9 +14,6 @@ namespace saddle {
 
 namespace {
 
-/// Where sides have many jumps, only those within a quarter of a side are one feature. Others are
-/// parted by halving.
-constexpr double kClose = 0.25;
 /// Sides whose jumps are all looked for before it is asked whether they have many.
 constexpr std::size_t kStripsAtATime = 64;
 /// How far from a cliff its sheets have normals of their own, in widths of the cliff: the rounded
@@ -120,6 +117,7 @@ std::vector<bool> add_strips(std::span<const Side> sides,
                              const TraceOptions& options, CellTree& tree) {
   std::vector<bool> is_done(sides.size(), false);
   for (std::size_t next = 0; next < sides.size();) {
+    // Where sides have many jumps, those that are not close are parted by halving.
     const bool has_many = !tree.edges().may_have_few_jumps();
     std::vector<std::size_t> numbers;
     std::vector<Line> with_more;

@@ -29,6 +29,8 @@ inline constexpr double kSame = 1e-9;
 /// of a cell have the same sagitta on surfaces of revolution, and rounding must not choose. Double
 /// zeros are known to 1e-8.
 inline constexpr double kNearly = 1e-6;
+/// In parts of a side of a leaf: jumps that are nearer to each other are close.
+inline constexpr double kClose = 0.25;
 /// In diagonals of the surface: rounding of the parameters joins no points that are farther apart.
 /// sin(2 pi)^0.1 is 0.03.
 inline constexpr double kMostRounding = 0.05;

@@ -4,6 +4,9 @@
 #include <array>
 #include <optional>
 
+#include <glm/geometric.hpp>
+
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_tree.h"
 #include "mesh/tree/jump_lines.h"
 
@@ -14,6 +17,13 @@ void add_singular_vertex(std::uint32_t vertex, const CellTree& tree,
   if (tree.geometry().is_regular(vertex)) return;
   const std::uint32_t point = tree.mesh().point[vertex];
   if (std::ranges::count(points, point) == 0) points.push_back(point);
+}
+
+bool is_wide_strip(const EdgeFeature& feature, std::size_t strip, const Side& side,
+                   const CellTree& tree) {
+  const auto& uv = tree.mesh().uv;
+  const auto [first, second] = feature.on_strip(strip, side[0]);
+  return glm::distance(uv[first], uv[second]) > kClose * glm::distance(uv[side[0]], uv[side[1]]);
 }
 
 bool has_cut(FeatureKind kind, const Leaf& leaf, const CellTree& tree) {

@@ -16,6 +16,11 @@ class CellTree;
 void add_singular_vertex(std::uint32_t vertex, const CellTree& tree,
                          std::vector<std::uint32_t>& points);
 
+/// Whether a strip between two jumps of a side, or a segment of a cliff, is wider than kClose of
+/// the side.
+bool is_wide_strip(const EdgeFeature& feature, std::size_t strip, const Side& side,
+                   const CellTree& tree);
+
 /// Whether a side of a leaf has a feature of this kind.
 bool has_cut(FeatureKind kind, const Leaf& leaf, const CellTree& tree);
 
