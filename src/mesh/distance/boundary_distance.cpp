@@ -227,6 +227,7 @@ std::vector<LeafDistance> BoundaryDistance::measure() {
   const auto at_strips = close_jumps_.measure(delta_);
   found.insert(found.end(), at_strips.begin(), at_strips.end());
   evaluations_ += close_jumps_.evaluations();
+  looks_ += close_jumps_.looks();
   if (!omitted_.empty()) measure_omitted(found);
   return found;
 }
@@ -302,7 +303,7 @@ void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
   for (const EdgeChord& chord : chords_) middles.push_back(chord.middle);
   const std::vector<SurfacePoint> at_middle = evaluate(surface_, middles, threads_);
   std::vector<Line> ways = ways_to_boundary(at_middle);
-  end_in_gaps(surface_, ways, threads_, clip_, evaluations_);
+  end_in_gaps(surface_, ways, threads_, clip_, looks_);
   const std::vector<dvec2> boundary = ends_of(ways);
   const std::vector<SurfacePoint> at_boundary = evaluate(surface_, boundary, threads_);
   evaluations_ += chords_.size() * (2 + kHalvingsToEdge);

@@ -42,6 +42,8 @@ class BoundaryDistance {
   std::vector<LeafDistance> measure();
 
   std::size_t evaluations() const { return evaluations_; }
+  /// Points and boxes in searches for the edges of sheets.
+  std::size_t looks() const { return looks_; }
 
  private:
   /// A place on a chord of an edge, and where the edge is looked for.
@@ -95,6 +97,7 @@ class BoundaryDistance {
   std::vector<std::size_t> omitted_;                        ///< leaves without triangles
   std::vector<dvec2> places_in_omitted_;  ///< in each, places and their projections on its border
   std::size_t evaluations_ = 0;
+  std::size_t looks_ = 0;
 };
 
 }  // namespace saddle

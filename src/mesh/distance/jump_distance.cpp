@@ -73,8 +73,7 @@ void BoundaryDistance::end_at_jumps(std::span<const std::size_t> numbers, double
                                     std::vector<std::optional<SheetEnd>>& ends) {
   std::vector<Line> ways;
   for (const std::size_t k : numbers) ways.push_back({jumps_[k].opposite, jumps_[k].beyond});
-  const auto found =
-      sheet_ends(surface_, ways, least, kHalvingsToNearly, clip_, threads_, evaluations_);
+  const auto found = sheet_ends(surface_, ways, least, kHalvingsToNearly, clip_, threads_, looks_);
   std::vector<std::size_t> open;
   std::vector<Line> outside;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -85,7 +84,7 @@ void BoundaryDistance::end_at_jumps(std::span<const std::size_t> numbers, double
     outside.push_back({jumps_[k].beyond, *jumps_[k].outside});
   }
   const auto more =
-      sheet_ends(surface_, outside, least, kHalvingsToNearly, clip_, threads_, evaluations_);
+      sheet_ends(surface_, outside, least, kHalvingsToNearly, clip_, threads_, looks_);
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (more[i] && more[i]->kind == SheetEnd::Kind::Jump) ends[open[i]] = more[i];
   }
@@ -97,7 +96,7 @@ void BoundaryDistance::end_at_cliffs(std::span<const std::size_t> numbers,
   std::vector<Line> ways;
   for (const std::size_t k : numbers)
     ways.push_back({jumps_[k].opposite, jumps_[k].outside.value_or(jumps_[k].beyond)});
-  const auto cliffs = find_cliffs(surface_, ways, delta_, threads_, evaluations_);
+  const auto cliffs = find_cliffs(surface_, ways, delta_, threads_, looks_);
   for (std::size_t i = 0; i < cliffs.size(); ++i) {
     if (!cliffs[i].empty()) ends[numbers[i]] = SheetEnd{cliffs[i].front(), SheetEnd::Kind::Jump};
   }

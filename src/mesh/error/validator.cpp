@@ -383,6 +383,7 @@ void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
     mesh.add(leaf, distance, uv);
   }
   evaluations_ += boundaries.evaluations();
+  looks_ += boundaries.looks();
   SheetTriangles sheets(surface_, grid_, tree_, threads_);
   for (const std::size_t k : others) {
     if (!crosses_box(triangles.of(k))) sheets.add(mesh, which[k], triangles.of(k));

@@ -37,6 +37,8 @@ class Validator {
                const LeafTriangles& triangles);
 
   std::size_t evaluations() const { return evaluations_; }
+  /// Points and boxes in searches, which cost more the longer the formula is.
+  std::size_t looks() const { return looks_; }
 
  private:
   /// Validates leaves of two triangles without edge features. Returns the numbers in `which` of the
@@ -77,6 +79,7 @@ class Validator {
   double normal_tolerance_;
   unsigned threads_;
   std::size_t evaluations_ = 0;
+  std::size_t looks_ = 0;
 };
 
 }  // namespace saddle

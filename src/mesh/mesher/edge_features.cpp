@@ -263,20 +263,16 @@ class FeatureTracer {
     std::vector<LocatedDiscontinuity> jumps;
     std::vector<bool> is_jump(sides.size(), false);
     for (std::size_t i = 0; i < open.size(); ++i) {
-      if (found[i].kind != Discontinuity::Jump || found[i].between) continue;
-      is_jump[open[i]] = true;
+      is_jump[open[i]] = found[i].kind == Discontinuity::Jump && !found[i].between;
+      if (!is_jump[open[i]]) continue;
       jumping.push_back(sides[open[i]]);
       jumps.push_back(found[i]);
     }
     add_pairs(FeatureKind::Jump, jumping, jumps);
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      if (is_jump[k]) continue;
-      sides[kept] = sides[k];
-      creases[kept++] = creases[k];
-    }
-    sides.resize(kept);
-    creases.resize(kept);
+    std::size_t next = 0;
+    std::erase_if(sides, [&](const Side&) { return is_jump[next++]; });
+    next = 0;
+    std::erase_if(creases, [&](const LocatedDiscontinuity&) { return is_jump[next++]; });
   }
 
   /// A vertex beside a feature.

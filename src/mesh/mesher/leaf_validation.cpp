@@ -72,6 +72,7 @@ void LeafValidation::validate(std::span<const std::size_t> which, const Singular
   validator.measure(mesh_, which, triangles);
   evaluations_ += validator.evaluations();
   tree_.effort().add_places(validator.evaluations());
+  tree_.effort().looks() += validator.looks();
   mesh_.put(which, triangles, now);
   landmarks_.measure(which, mesh_);
   for (const std::size_t k : which) {

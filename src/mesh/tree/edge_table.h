@@ -200,7 +200,7 @@ class EdgeTable {
   void discount_feature(std::uint32_t a, std::uint32_t b);
 
  private:
-  /// Searches for each that is not in vain. Those for all jumps of a side take the longest.
+  /// Searches for each that is not in vain. Searches for all jumps of a side take the longest.
   static constexpr std::size_t kSoughtForCliff = 64;
   static constexpr std::size_t kSoughtForFewJumps = 4;
 
