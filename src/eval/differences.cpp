@@ -1,5 +1,6 @@
 #include "eval/differences.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -39,21 +40,27 @@ std::optional<double> exact_difference(double a, double b) {
   return is_exact ? std::optional(difference) : std::nullopt;
 }
 
-/// Takes a node apart into a base and the constants that are added to it.
+/// A node as the one to which its last operation adds a constant, if it does that.
+std::optional<Shifted> without_constant(const Graph& graph, NodeId id) {
+  const Node& node = graph[id];
+  const auto is_constant = [&](std::size_t k) { return graph.is_constant(node.args[k]); };
+  if (node.op == Op::Add && is_constant(1)) return Shifted{node.args[0], graph[node.args[1]].value};
+  if (node.op == Op::Add && is_constant(0)) return Shifted{node.args[1], graph[node.args[0]].value};
+  if (node.op == Op::Sub && is_constant(1))
+    return Shifted{node.args[0], -graph[node.args[1]].value};
+  return std::nullopt;
+}
+
+/// Takes a node apart into a base and the constants that are added to it. Sums of constants are
+/// exact, and no smaller than these: u+1e16-1e16 rounds u to whole numbers.
 Shifted shifted(const Graph& graph, NodeId id) {
   Shifted result = {id, 0};
-  while (true) {
-    const Node& node = graph[result.base];
-    if (node.op == Op::Add && graph.is_constant(node.args[1])) {
-      result = {node.args[0], result.by + graph[node.args[1]].value};
-    } else if (node.op == Op::Add && graph.is_constant(node.args[0])) {
-      result = {node.args[1], result.by + graph[node.args[0]].value};
-    } else if (node.op == Op::Sub && graph.is_constant(node.args[1])) {
-      result = {node.args[0], result.by - graph[node.args[1]].value};
-    } else {
-      return result;
-    }
+  while (const auto inner = without_constant(graph, result.base)) {
+    const auto by = exact_difference(inner->by, -result.by);
+    if (!by || std::fabs(*by) < std::max(std::fabs(inner->by), std::fabs(result.by))) break;
+    result = {inner->base, *by};
   }
+  return result;
 }
 
 /// An argument of a function at two places: base + first and base + second.
@@ -180,22 +187,33 @@ class Narrower {
     const std::vector<Argument>& arguments = comparison.arguments();
     std::vector<Symbol> symbols;
     std::unordered_map<Symbol, NodeId> places;
+    std::vector<NodeId> shifts;
     for (const Argument& argument : arguments) {
       symbols.push_back(graph_.new_symbol());
       const auto at = [&](double by) {
         return graph_.make(Op::Add, argument.base, graph_.constant(by));
       };
-      places[symbols.back()] = graph_.make(Op::Hull, at(argument.first), at(argument.second));
+      const NodeId between = graph_.make(Op::Hull, at(argument.first), at(argument.second));
+      places[symbols.back()] = between;
+      shifts.push_back(rounded(argument.shift, between));
     }
     const NodeId function = function_of(first, comparison, symbols);
     NodeId difference = graph_.constant(0);
     for (std::size_t k = 0; k < arguments.size(); ++k) {
       const NodeId slope = derive(graph_, std::array{function}, symbols[k])[0];
-      difference = graph_.make(Op::Add, difference,
-                               graph_.make(Op::Mul, graph_.constant(arguments[k].shift), slope));
+      difference = graph_.make(Op::Add, difference, graph_.make(Op::Mul, shifts[k], slope));
     }
     const auto result = substitute(graph_, std::array{difference, function}, places);
     return std::array{result[0], result[1]};
+  }
+
+  /// A shift in doubles: the arguments, which are `between` two places, are rounded at both.
+  NodeId rounded(double shift, NodeId between) {
+    constexpr double kRounding = 0x1p-52;  // half of it at each
+    const auto error = [&](double sign) {
+      return graph_.make(Op::Mul, graph_.constant(sign * kRounding), between);
+    };
+    return graph_.make(Op::Add, graph_.constant(shift), graph_.make(Op::Hull, error(1), error(-1)));
   }
 
   /// The formula `first` as a function of its arguments, which are `symbols`.

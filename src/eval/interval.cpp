@@ -36,17 +36,15 @@ Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.low, b.low), std::max(a.high, b.high), defined, a.continuous && b.continuous};
 }
 
-Interval narrow(const Interval& natural, const Interval& slope, const Interval& function) {
-  /// Rounding errors of the function's two values, in parts of it: those of a hundred steps of its
-  /// formula that do not cancel.
+Interval narrow(const Interval& natural, const Interval& by_mean_value, const Interval& function) {
   constexpr double kRounding = 100 * rounding::kRoundoff;
-  const bool is_proved =
-      slope.defined == Defined::Yes && function.defined == Defined::Yes && function.continuous;
+  const bool is_proved = by_mean_value.defined == Defined::Yes &&
+                         function.defined == Defined::Yes && function.continuous;
   if (!is_proved) return natural;
   const double size = std::max(std::fabs(function.low), std::fabs(function.high));
   const double error = 2 * kRounding * size;
-  const double low = std::max(natural.low, rounding::sum_down(slope.low, -error));
-  const double high = std::min(natural.high, rounding::sum_up(slope.high, error));
+  const double low = std::max(natural.low, rounding::sum_down(by_mean_value.low, -error));
+  const double high = std::min(natural.high, rounding::sum_up(by_mean_value.high, error));
   if (!(low <= high)) return natural;
   return {low, high, Defined::Yes, true};
 }

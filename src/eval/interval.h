@@ -18,10 +18,11 @@ Interval constant_interval(double value);
 /// All values of either.
 Interval hull(const Interval& a, const Interval& b);
 
-/// The difference of a function at two places. `natural` is its enclosure by both values; `slope`
-/// what it is by the mean value theorem, if `function`, its values between the places, are defined
-/// and continuous there.
-Interval narrow(const Interval& natural, const Interval& slope, const Interval& function);
+/// The difference of a function at two places: `natural` by its two values, `by_mean_value` by the
+/// mean value theorem, which holds if `function`, all values between the places, is defined and
+/// continuous. The function's values are taken to have the rounding errors of a hundred steps that
+/// do not cancel.
+Interval narrow(const Interval& natural, const Interval& by_mean_value, const Interval& function);
 
 namespace rounding {
 

@@ -161,14 +161,14 @@ std::vector<LeafDistance> CloseJumpDistance::measure(double delta) {
 }
 
 /// Where an edge turns near an end of its chord, as at the end of a slot, distances grow up to
-/// there.
+/// there: the straight line through two of them is taken to the chord's end.
 void CloseJumpDistance::measure_ends(std::size_t leaf, std::span<const std::vector<double>> along,
                                      std::vector<LeafDistance>& found) {
   const std::size_t edges = along[0].size();
   if (along[1].size() != edges || along[2].size() != edges) return;
   for (std::size_t k = 0; k < edges; ++k) {
     const double larger = std::max(along[0][k], along[2][k]);
-    found.push_back({leaf, 2 * larger - along[1][k], true});
+    found.push_back({leaf, std::max(2 * larger - along[1][k], 0.0), true});
   }
 }
 
@@ -179,9 +179,13 @@ std::vector<double> CloseJumpDistance::measure(const Across& across, std::span<c
                                                std::span<const dvec3> sheets,
                                                std::vector<LeafDistance>& found) const {
   std::vector<double> distances;
+  bool are_finite = true;
   const bool is_alike = sheets.size() == across.sheets.size();
   for (std::size_t k = 0; k < sheets.size(); ++k) {
-    if (!is_finite(sheets[k])) continue;
+    if (!is_finite(sheets[k])) {
+      are_finite = false;
+      continue;
+    }
     double least = std::numeric_limits<double>::infinity();
     if (is_alike) {
       least = distance_from_segment(across.sheets[k][0], across.sheets[k][1], sheets[k]);
@@ -192,7 +196,7 @@ std::vector<double> CloseJumpDistance::measure(const Across& across, std::span<c
     found.push_back({across.leaf, least, true, uv[k]});
     if (is_alike) distances.push_back(least);
   }
-  if (is_alike) return distances;
+  if (is_alike) return are_finite ? distances : std::vector<double>();
   for (const auto& [from, to] : across.sheets) {
     const dvec3 p = glm::mix(from, to, across.share);
     double least = std::numeric_limits<double>::infinity();

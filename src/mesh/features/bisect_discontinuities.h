@@ -23,9 +23,9 @@ struct LocatedDiscontinuity {
   Discontinuity kind = Discontinuity::None;
   Line ends{dvec2(0), dvec2(0)};      ///< in the direction of the line
   std::optional<dvec2> between = {};  ///< the line has others: a place before the next one
-  /// All jumps of the line in its order, if bounds prove that it has no others.
+  /// All jumps of the line in its order, if no others are found where bounds do not exclude them.
   std::vector<Line> jumps = {};
-  bool is_proved = false;      ///< bounds prove that there is none
+  bool is_proved = false;      ///< bounds exclude others of more than the tolerance
   bool is_cusp = false;        ///< the normal turns to its opposite; the tangents do not jump
   bool has_passed_by = false;  ///< a larger gap than that of a first part was not followed
 };

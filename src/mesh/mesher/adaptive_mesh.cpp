@@ -155,7 +155,8 @@ class Finisher {
         lines.add(uv, grid_.mesh.uv[side[0]], grid_.mesh.uv[side[1]]);
       };
       add(grid_.mesh.uv[cut.beside_first]);
-      for (std::size_t k = 0; k < cut.strips; ++k) add(grid_.mesh.uv[cut.on_strip(k, side[0])[1]]);
+      for (std::size_t k = 0; k < cut.strips; ++k)
+        add(grid_.mesh.uv[cut.on_strip(k, cut.first)[1]]);
     });
     report.jump_lines = lines.from_end_to_end(grid_);
     for (const auto& [vertex, beside] : beside_lines()) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -24,8 +25,8 @@ namespace saddle {
 
 namespace {
 
-/// A crease closes a jump of up to this part of the tolerance. A larger one stays open: triangles
-/// that close it would stand across the surface.
+/// A crease closes a jump of up to this part of the tolerance. A larger one, alone on its side,
+/// stays open: triangles that close it would stand across the surface.
 constexpr double kClosed = 0.25;
 
 /// Searches a batch of sides.
@@ -166,17 +167,17 @@ class FeatureTracer {
       cut_poles(poles, options_, tree_);
     add_pairs(FeatureKind::Jump, jumping, jumps);
     for (std::size_t k = 0; k < jumps.size(); ++k) {
-      if (jumps[k].jumps.size() == 1) tree_.edges().set_proved(jumping[k][0], jumping[k][1]);
+      if (jumps[k].is_proved && jumps[k].jumps.size() == 1)
+        tree_.edges().set_proved(jumping[k][0], jumping[k][1]);
     }
   }
 
   /// Whether a side is of the domain's edge.
   bool is_on_edge(const Side& side, const ParameterBox& domain) const {
     const Line ends = line(side);
-    const dvec2 a = ends[0];
-    const dvec2 b = ends[1];
     const auto is_edge = [&](int axis) {
-      return a[axis] == b[axis] && (a[axis] == domain.low[axis] || a[axis] == domain.high[axis]);
+      const double at = ends[0][axis];
+      return at == ends[1][axis] && (at == domain.low[axis] || at == domain.high[axis]);
     };
     return is_edge(0) || is_edge(1);
   }
@@ -261,18 +262,18 @@ class FeatureTracer {
                                             tree_.effort().looks());
     std::vector<Side> jumping;
     std::vector<LocatedDiscontinuity> jumps;
-    std::vector<bool> is_jump(sides.size(), false);
+    std::vector<bool> is_jump(sides.size());
     for (std::size_t i = 0; i < open.size(); ++i) {
-      is_jump[open[i]] = found[i].kind == Discontinuity::Jump && !found[i].between;
+      const double away = glm::distance(found[i].ends[0], creases[open[i]].ends[0]);
+      is_jump[open[i]] = found[i].kind == Discontinuity::Jump && !found[i].between &&
+                         away <= kNearly * glm::distance(lines[i][0], lines[i][1]);
       if (!is_jump[open[i]]) continue;
       jumping.push_back(sides[open[i]]);
       jumps.push_back(found[i]);
     }
     add_pairs(FeatureKind::Jump, jumping, jumps);
-    std::size_t next = 0;
-    std::erase_if(sides, [&](const Side&) { return is_jump[next++]; });
-    next = 0;
-    std::erase_if(creases, [&](const LocatedDiscontinuity&) { return is_jump[next++]; });
+    std::erase_if(sides, [&](const Side& side) { return is_jump[&side - sides.data()]; });
+    std::erase_if(creases, [&](const auto& crease) { return is_jump[&crease - creases.data()]; });
   }
 
   /// A vertex beside a feature.
@@ -303,12 +304,11 @@ class FeatureTracer {
 
   void set_normals_beside_jumps(std::span<const Beside> vertices, std::uint32_t first) {
     const auto& uv = tree_.mesh().uv;
-    std::vector<std::uint32_t> numbers;
+    std::vector<std::uint32_t> numbers(vertices.size());
+    std::iota(numbers.begin(), numbers.end(), first);
     std::vector<dvec2> at;
-    for (std::size_t k = 0; k < vertices.size(); ++k) {
-      numbers.push_back(static_cast<std::uint32_t>(first + k));
+    for (std::size_t k = 0; k < vertices.size(); ++k)
       at.push_back(beside_jump(uv[numbers[k]], uv[vertices[k].neighbour]));
-    }
     set_normals(numbers, at, options_.threads, tree_);
   }
 

@@ -148,7 +148,7 @@ std::vector<bool> add_strips(std::span<const Side> sides,
     tree.edges().count_few_jumps(numbers.size(), few.size());
     if (!few.empty()) add_several_jumps(few, jumps_of, options, tree);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (is_done[numbers[i]] && !known[i].jumps.empty())
+      if (is_done[numbers[i]] && known[i].is_proved)
         tree.edges().set_proved(sides[numbers[i]][0], sides[numbers[i]][1]);
     }
   }

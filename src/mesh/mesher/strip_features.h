@@ -19,8 +19,9 @@ namespace saddle {
 
 class CellTree;
 
-/// Records the sides with several jumps, if all of them are known. `found`: on the lines of the
-/// sides. Returns which they are.
+/// Records the sides with several jumps, if all of them are known. Where many sides have too many
+/// jumps for that, sides whose jumps are far apart are left to be halved. `found`: on the lines of
+/// the sides. Returns which were recorded.
 std::vector<bool> add_strips(std::span<const Side> sides,
                              std::span<const LocatedDiscontinuity> found, double delta,
                              const TraceOptions& options, CellTree& tree);

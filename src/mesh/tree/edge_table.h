@@ -48,12 +48,12 @@ inline bool leaves_out(FeatureKind kind) {
 /// jumps of a side are one feature: between them are strips of other sheets.
 struct EdgeFeature {
   FeatureKind kind;
-  std::uint32_t first;  ///< a neighbour
+  std::uint32_t first;  ///< the end of the side that vertices are counted from: either one
   std::uint32_t beside_first, beside_second;
   /// The numbers of the faces through which the surface leaves the clip box there, beside a pole.
   std::array<std::uint8_t, 2> exits = {};
   /// The first of two vertices for each strip between those beside the feature, in their order: of
-  /// thin sheets between jumps, or of the segments of a cliff, each with normals of its own.
+  /// sheets between jumps, or of the segments of a cliff, each with normals of its own.
   std::uint32_t first_on_strips = kNoIndex;
   std::uint8_t strips = 0;
 
@@ -90,7 +90,7 @@ struct EdgeRecord {
   bool is_searched = false;                    ///< `feature` says what the search found
   bool is_halved = false;                      ///< the vertices of `feature` do not count
   bool is_continuous = false;                  ///< positions are; normals need not be
-  bool is_proved = false;                      ///< positions have no jumps but those of `feature`
+  bool is_proved = false;                      ///< no jump above the tolerance but in `feature`
   std::optional<dvec2> between_features = {};  ///< parameters; there are more than `feature`
 };
 
@@ -136,7 +136,7 @@ class EdgeTable {
   }
   void set_continuous(std::uint32_t a, std::uint32_t b) { record(a, b).is_continuous = true; }
 
-  /// Files that positions are proved to have no jumps on a side but those of its feature.
+  /// Files that bounds exclude jumps above the tolerance on a side but those of its feature.
   void set_proved(std::uint32_t a, std::uint32_t b) { record(a, b).is_proved = true; }
   /// Files for both parts of a side what is proved of the whole, so that they need no search. Its
   /// jumps go to the parts that they are in, unless one is at the vertex `middle`.

@@ -65,6 +65,7 @@ TEST(Differences, LeaveSharedPartsAsTheyAre) {
   const Bounds a = bounds("((u+1)*sin(u+1)-u*sin(u+1))/1", {0.5, 0.625});
   EXPECT_TRUE(contains(a.narrowed, std::sin(1.5)));
   EXPECT_TRUE(contains(a.narrowed, std::sin(1.625)));
+  EXPECT_LT(width(a.narrowed), 0.01);
 }
 
 TEST(Differences, SayNothingOfWhatJumpsInBetween) {
@@ -85,6 +86,7 @@ TEST(Differences, KnowAKinkByTheSlopesBesideIt) {
 
 TEST(Differences, NeedASlope) {
   const Bounds a = bounds("(sqrt(u+1e-3)-sqrt(u))/1e-3", {0, 0.5});
+  EXPECT_EQ(a.narrowed.low, a.natural.low);
   EXPECT_EQ(a.narrowed.high, a.natural.high);
 }
 
@@ -96,10 +98,24 @@ TEST(Differences, OfOtherFormulasKeepTheirNodes) {
   }
 }
 
-/// Rounded steps: 0.1+h and 0.1-h are not 2h apart in doubles.
+/// 1e-9-1 has seven digits of 1e-9 left, and u+1e16-1e16 is a whole number.
 TEST(Differences, TakeOnlyStepsThatAreExact) {
-  const Bounds a = bounds("((u+0.1+1e-17)-u)/0.1", {0, 1});
+  const Bounds a = bounds("((u+1e-9)-1-(u-1))/1e-9", {1, 1.000001});
   EXPECT_TRUE(contains(a.narrowed, 1));
+  EXPECT_TRUE(contains(a.narrowed, ((1 + 1e-9) - 1) / 1e-9));
+  const Bounds b = bounds("((u+1e16)-1e16)-u", {0, 8});
+  EXPECT_TRUE(contains(b.narrowed, 1) && contains(b.narrowed, -1));
+}
+
+/// u+h is rounded, whatever the size of the function.
+TEST(Differences, HoldWhatDoublesGive) {
+  constexpr double kStep = 1e-10;
+  const Bounds a = bounds("(sin(u+1e-10)-sin(u))/1e-10", {3.14, 3.143});
+  EXPECT_LT(width(a.narrowed), 0.1);
+  for (int k = 0; k <= 1000; ++k) {
+    const double u = 3.14 + 3e-6 * k;
+    EXPECT_TRUE(contains(a.narrowed, (std::sin(u + kStep) - std::sin(u)) / kStep)) << u;
+  }
 }
 
 }  // namespace

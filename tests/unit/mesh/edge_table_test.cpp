@@ -184,6 +184,25 @@ TEST_F(PartsOfEdges, GetTheJumpsThatAreInThem) {
   EXPECT_TRUE(edges_.feature(beyond, 1));
 }
 
+TEST_F(PartsOfEdges, KeepStripsBetweenTheirJumps) {
+  file(jumps_);
+  const std::uint32_t fifth = vertex_at(0.1875);
+  edges_.pass_on(0, fifth, 1);
+  const auto far = edges_.feature(fifth, 1);
+  ASSERT_TRUE(far);
+  EXPECT_EQ(far->strips, 1);
+  EXPECT_EQ(far->beside(fifth), strips_[1]);
+  EXPECT_EQ(far->on_strip(0, fifth), (std::array{strips_[2], strips_[3]}));
+  EXPECT_EQ(far->on_strip(0, 1), (std::array{strips_[3], strips_[2]}));
+  // All three are before a place near the end.
+  const std::uint32_t last = vertex_at(0.875);
+  edges_.set_feature(0, 1, jumps_);
+  edges_.pass_on(0, last, 1);
+  EXPECT_EQ(edges_.feature(0, last)->strips, 2);
+  EXPECT_EQ(edges_.feature(0, last)->beside(last), jumps_.beside_second);
+  EXPECT_TRUE(edges_.is_continuous(last, 1));
+}
+
 TEST_F(PartsOfEdges, AreSearchedIfAJumpIsBetweenThemOrNotAllAreKnown) {
   edges_.set_feature(0, 1, jumps_);
   const std::uint32_t middle = vertex_at(0.5);
