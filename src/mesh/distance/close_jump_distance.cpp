@@ -176,32 +176,32 @@ void CloseJumpDistance::measure_ends(std::size_t leaf, std::span<const std::vect
 /// of the surface is measured from the triangles, and each of the mesh from those of the surface.
 /// Returns the distances in the first case.
 std::vector<double> CloseJumpDistance::measure(const Across& across, std::span<const dvec2> uv,
-                                               std::span<const dvec3> sheets,
+                                               std::span<const dvec3> edges,
                                                std::vector<LeafDistance>& found) const {
   std::vector<double> distances;
   bool are_finite = true;
-  const bool is_alike = sheets.size() == across.sheets.size();
-  for (std::size_t k = 0; k < sheets.size(); ++k) {
-    if (!is_finite(sheets[k])) {
+  const bool is_alike = edges.size() == across.edges.size();
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    if (!is_finite(edges[k])) {
       are_finite = false;
       continue;
     }
     double least = std::numeric_limits<double>::infinity();
     if (is_alike) {
-      least = distance_from_segment(across.sheets[k][0], across.sheets[k][1], sheets[k]);
+      least = distance_from_segment(across.edges[k][0], across.edges[k][1], edges[k]);
     } else {
       for (const Triangle& triangle : across.triangles)
-        least = std::min(least, distance_from_triangle(grid_, triangle, sheets[k]));
+        least = std::min(least, distance_from_triangle(grid_, triangle, edges[k]));
     }
     found.push_back({across.leaf, least, true, uv[k]});
     if (is_alike) distances.push_back(least);
   }
   if (is_alike) return are_finite ? distances : std::vector<double>();
-  for (const auto& [from, to] : across.sheets) {
+  for (const auto& [from, to] : across.edges) {
     const dvec3 p = glm::mix(from, to, across.share);
     double least = std::numeric_limits<double>::infinity();
-    for (const dvec3& sheet : sheets) least = std::min(least, glm::distance(sheet, p));
-    if (!sheets.empty()) found.push_back({across.leaf, least, true});
+    for (const dvec3& edge : edges) least = std::min(least, glm::distance(edge, p));
+    if (!edges.empty()) found.push_back({across.leaf, least, true});
   }
   return {};
 }

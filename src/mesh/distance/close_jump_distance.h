@@ -1,4 +1,4 @@
-// Distances of a mesh from the thin sheets of a surface that lie between jumps close to each other.
+// Distances of a mesh from the sheets of a surface that lie as strips between several jumps.
 #pragma once
 
 #include <array>
@@ -42,14 +42,13 @@ class CloseJumpDistance {
     Line line;
     double share;  ///< where it crosses the segments
     /// The edges of the mesh's sheets, in the order of the line.
-    std::vector<std::array<dvec3, 2>> sheets;
+    std::vector<std::array<dvec3, 2>> edges;
     std::vector<dvec2> in_strips;  ///< where the mesh has its strips on the line
   };
   std::vector<std::vector<Line>> jumps_between_strips(double delta);
   void search(double delta, std::span<std::vector<Line>> jumps);
   std::vector<double> measure(const Across& across, std::span<const dvec2> uv,
-                              std::span<const dvec3> sheets,
-                              std::vector<LeafDistance>& found) const;
+                              std::span<const dvec3> edges, std::vector<LeafDistance>& found) const;
   static void measure_ends(std::size_t leaf, std::span<const std::vector<double>> along,
                            std::vector<LeafDistance>& found);
   /// The sheets of a leaf, sheet by sheet.
