@@ -164,10 +164,7 @@ class Narrower {
     std::array<NodeId, 3> args = {};
     for (std::size_t k = 0; k < static_cast<std::size_t>(arity(node.op)); ++k)
       args[k] = images_[node.args[k]];
-    const bool is_same = args[0] == node.args[0] &&
-                         (arity(node.op) < 2 || args[1] == node.args[1]) &&
-                         (arity(node.op) < 3 || args[2] == node.args[2]);
-    const NodeId image = is_same ? id : graph_.make(node.op, args[0], args[1], args[2]);
+    const NodeId image = graph_.make(node.op, args[0], args[1], args[2]);
     if (node.op != Op::Sub || nested_ == kMostNested || graph_.size() > most_nodes_) return image;
     const auto formulas = by_mean_value(node.args[0], node.args[1]);
     if (!formulas) return image;
@@ -179,9 +176,6 @@ class Narrower {
 
   /// The difference by the mean value theorem, and the function between both places.
   std::optional<std::array<NodeId, 2>> by_mean_value(NodeId first, NodeId second) {
-    if (graph_[first].op != graph_[second].op && arity(graph_[first].op) > 0 &&
-        shifted(graph_, first).base != shifted(graph_, second).base)
-      return std::nullopt;
     Comparison comparison(graph_);
     if (!comparison.are_alike(first, second) || comparison.arguments().empty()) return std::nullopt;
     const std::vector<Argument>& arguments = comparison.arguments();

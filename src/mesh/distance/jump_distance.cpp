@@ -53,16 +53,9 @@ bool BoundaryDistance::has_slight_jump(const Leaf& leaf, double allowed) const {
   for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) {
     const auto feature = tree_.edges().feature(a, b);
     if (!feature || feature->kind != FeatureKind::Jump) return;
-    std::uint32_t before = feature->beside(a);
-    const auto cross_to = [&](std::uint32_t after) {
+    feature->for_jumps(a, [&](std::uint32_t before, std::uint32_t after) {
       has = has || glm::distance(position[before], position[after]) < kSlight * allowed;
-    };
-    for (std::size_t k = 0; k < feature->strips; ++k) {
-      const auto [near, far] = feature->on_strip(k, a);
-      cross_to(near);
-      before = far;
-    }
-    cross_to(feature->beside(b));
+    });
   });
   return has;
 }

@@ -150,13 +150,11 @@ class Finisher {
                       });
     LinesOfCuts lines;
     for_features(FeatureKind::Jump, [&](const Side& side, const EdgeFeature& cut) {
-      const auto add = [&](const dvec2& uv) {
+      cut.for_jumps(cut.first, [&](std::uint32_t before, std::uint32_t) {
+        const dvec2& uv = grid_.mesh.uv[before];
         jumps.add(uv);
         lines.add(uv, grid_.mesh.uv[side[0]], grid_.mesh.uv[side[1]]);
-      };
-      add(grid_.mesh.uv[cut.beside_first]);
-      for (std::size_t k = 0; k < cut.strips; ++k)
-        add(grid_.mesh.uv[cut.on_strip(k, cut.first)[1]]);
+      });
     });
     report.jump_lines = lines.from_end_to_end(grid_);
     for (const auto& [vertex, beside] : beside_lines()) {

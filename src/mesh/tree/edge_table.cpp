@@ -73,13 +73,13 @@ void EdgeTable::pass_on(std::uint32_t from, std::uint32_t middle, std::uint32_t 
   const double part = glm::distance(begin, vertices_.place_between(middle));
   const double same = kSame * glm::distance(begin, vertices_.place_between(second));
   std::uint32_t before = 0;  // jumps before the middle
-  for (std::uint32_t k = 0; k <= jumps.strips; ++k) {
-    const std::uint32_t beside =
-        k == 0 ? jumps.beside_first : jumps.first_on_strips + 2 * (k - 1) + 1;
+  bool is_at_middle = false;
+  jumps.for_jumps(first, [&](std::uint32_t beside, std::uint32_t) {
     const double at = glm::distance(begin, vertices_.place_between(beside));
-    if (std::fabs(at - part) <= same) return;
+    is_at_middle = is_at_middle || std::fabs(at - part) <= same;
     if (at < part) ++before;
-  }
+  });
+  if (is_at_middle) return;
   const std::uint32_t after = jumps.strips + 1U - before;
   std::optional<EdgeFeature> near;
   std::optional<EdgeFeature> far;

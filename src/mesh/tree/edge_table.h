@@ -66,6 +66,17 @@ struct EdgeFeature {
     const std::uint32_t low = first_on_strips + 2 * from_first;
     return neighbour == first ? std::array{low, low + 1} : std::array{low + 1, low};
   }
+  /// Calls f(before, after) with the vertices beside each jump, on the way from a neighbour.
+  template <class F>
+  void for_jumps(std::uint32_t neighbour, F f) const {
+    std::uint32_t before = beside(neighbour);
+    for (std::size_t k = 0; k < strips; ++k) {
+      const auto [near, far] = on_strip(k, neighbour);
+      f(before, near);
+      before = far;
+    }
+    f(before, neighbour == first ? beside_second : beside_first);
+  }
   std::uint32_t beside(std::uint32_t neighbour) const {
     return neighbour == first ? beside_first : beside_second;
   }

@@ -27,15 +27,10 @@ JumpLines::JumpLines(const Leaf& leaf, const CellTree& tree) {
     const auto& corners = leaf.samples.corner;
     if (const auto feature = tree.edges().feature(a, b)) {
       are_jumps = are_jumps && feature->kind == FeatureKind::Jump;
-      const std::size_t strips = feature->kind == FeatureKind::Jump ? feature->strips : 0;
-      have_strips_ = have_strips_ || strips > 0;
-      std::uint32_t before = feature->beside(a);
-      for (std::size_t k = 0; k < strips; ++k) {
-        const auto [near, far] = feature->on_strip(k, a);
-        crossings_.push_back({before, near, corner, side});
-        before = far;
-      }
-      crossings_.push_back({before, feature->beside(b), corner, side});
+      have_strips_ = have_strips_ || (feature->kind == FeatureKind::Jump && feature->strips > 0);
+      feature->for_jumps(a, [&](std::uint32_t before, std::uint32_t after) {
+        crossings_.push_back({before, after, corner, side});
+      });
     }
     ++corner;
     if (side < 3 && b == corners[side + 1]) ++side;
