@@ -31,9 +31,10 @@ double depth_in_hole(const Grid& grid, std::span<const Triangle> triangles, cons
   const dvec3 b_r = mesh.position[b] - mesh.position[a];
   const dvec3 c_r = mesh.position[c] - mesh.position[a];
   const double area = cross(b_uv, c_uv);
+  if (area == 0) return 0;
   const dvec3 r_u = (c_uv.y * b_r - b_uv.y * c_r) / area;
   const dvec3 r_v = (b_uv.x * c_r - c_uv.x * b_r) / area;
-  return 0.5 * std::min(hole.size.x * glm::length(r_u), hole.size.y * glm::length(r_v));
+  return depth_of(hole.rim, r_u, r_v);
 }
 
 }  // namespace

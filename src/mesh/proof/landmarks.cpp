@@ -29,6 +29,8 @@ namespace {
 constexpr int kSettledHalvings = 14;
 /// Halvings of a box around an undefined sample, each way, until it is proved to be undefined.
 constexpr int kHalvingsAroundHole = 8;
+/// In boxes: a hole whose edges are closer is measured from edge to edge.
+constexpr double kThinHole = 4;
 /// In differences of the other samples: the middle of a box that is farther from their mean shows
 /// a jump or a bend.
 constexpr double kStep = 0.2;
@@ -79,7 +81,7 @@ class LandmarkSearch {
     --budget_;
     const std::span<const Interval> position = enclosure_.enclose(box);
     if (least_defined(position) == Defined::No) {
-      add_hole(box);
+      add_hole(box, rim_of_box(box.size()));
       return ProofOutcome::Refuted;
     }
     open.is_bounded = std::ranges::all_of(
@@ -87,22 +89,40 @@ class LandmarkSearch {
     return are_continuous(position) ? ProofOutcome::Proved : ProofOutcome::Open;
   }
 
-  void add_hole(const ParameterBox& box) {
+  void add_hole(const ParameterBox& box, const HoleRim& rim) {
     if (holes_ == kMostOpen) return;
     ++holes_;
-    result_.places.push_back(
-        {box.middle(), dvec3(std::numeric_limits<double>::quiet_NaN()), box.size(), dvec2(0)});
+    result_.places.push_back({box.middle(),
+                              dvec3(std::numeric_limits<double>::quiet_NaN()),
+                              box.size(),
+                              dvec2(0),
+                              dvec2(0),
+                              rim});
   }
 
-  /// Adds a box around an undefined place of an open box, in which bounds prove the surface to be
-  /// undefined.
-  void add_hole_around(const dvec2& uv, const ParameterBox& open) {
-    dvec2 half = 0.5 * (open.high - open.low);
+  /// A box around an undefined place in which bounds prove the surface to be undefined. `size`: of
+  /// the open box that holds the place.
+  std::optional<ParameterBox> hole_around(const dvec2& uv, const dvec2& size) {
+    dvec2 half = 0.5 * size;
     for (int k = 0; k < kHalvingsAroundHole && budget_ > 0; ++k) {
       half *= 0.5;
       --budget_;
       const ParameterBox around = {uv - half, uv + half};
-      if (least_defined(enclosure_.enclose(around)) == Defined::No) return add_hole(around);
+      if (least_defined(enclosure_.enclose(around)) == Defined::No) return around;
+    }
+    return std::nullopt;
+  }
+
+  /// Adds holes at undefined places of open boxes, which have one size: from rim to rim where they
+  /// are thinner than a few boxes. Larger ones hold such boxes.
+  void add_holes(std::span<const dvec2> undefined, const dvec2& size) {
+    const dvec2 range = box_of(surface_.domain).size();
+    const dvec2 share = size / range;
+    const dvec2 reach = kThinHole * std::max(share.x, share.y) * range;
+    const auto thin = thin_holes(surface_, undefined, reach, threads_);
+    for (std::size_t k = 0; k < undefined.size(); ++k) {
+      const auto around = hole_around(thin[k] ? thin[k]->middle : undefined[k], size);
+      if (around) add_hole(*around, thin[k] ? thin[k]->rim : rim_of_box(around->size()));
     }
   }
 
@@ -145,6 +165,8 @@ class LandmarkSearch {
                                 across[k],
                                 {glm::length(point.r_u), glm::length(point.r_v)}});
     };
+    std::vector<dvec2> undefined;
+    const dvec2 size = open.front().box.size();
     std::size_t k = 0;
     search_.test([&](const OpenBox& box) {
       const Sides& of = sides[k];
@@ -166,12 +188,13 @@ class LandmarkSearch {
         }
         if (of.undefined) {
           result_.has_boundary = true;
-          add_hole_around(uv[*of.undefined], box.box);
+          undefined.push_back(uv[*of.undefined]);
         }
       }
       ++k;
       return is_done ? ProofOutcome::Refuted : ProofOutcome::Open;
     });
+    add_holes(undefined, size);
   }
 
   /// Samples of a box, by their numbers: on the two sides of a step, or of a boundary.

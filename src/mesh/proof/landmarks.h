@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/proof/hole_rim.h"
 #include "surface/parameter_box.h"
 #include "surface/surface.h"
 
@@ -22,6 +23,7 @@ struct Landmark {
   dvec2 size;      ///< of the undefined box around `uv`; 0 at a point of the surface
   dvec2 across;    ///< (1, 0) beside a line of constant u, (0, 1) of constant v, else 0
   dvec2 speed{0};  ///< |r_u| and |r_v|
+  HoleRim rim{};   ///< around `uv` in a hole
 
   bool is_hole() const { return size.x > 0; }
 };

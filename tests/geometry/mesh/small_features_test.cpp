@@ -102,6 +102,24 @@ TEST_P(SmallFeatures, SlotsAreInTheMesh) {
   }
 }
 
+TEST_P(SmallFeatures, SlotsWithoutSurfaceAreOpen) {
+  struct Slot {
+    std::string across;
+    double length;
+  };
+  for (const double depth : {1.2, 1.6, 2.3, 3.4}) {
+    for (const auto& [across, length] :
+         {Slot{"v-0.18015", 2}, Slot{"(u+v/5-0.18015)/sqrt(1.04)", 2 * std::sqrt(1.04)},
+          Slot{"(u+v-0.1)/sqrt(2)", 1.9 * std::sqrt(2.0)}}) {
+      const double half = depth * kFeatureTolerance;
+      const MeshResult result =
+          mesh_with_lines("(abs(" + across + ")<" + number(half) + ")?nan:0.2*v", GetParam());
+      const double area = 4 * result.report.undefined_fraction;
+      EXPECT_NEAR(area, 2 * half * length, 0.01 * half * length) << across << " < " << half;
+    }
+  }
+}
+
 TEST(SmallFeatures, AreNotCutOffByASingleCell) {
   const MeshResult half = mesh_with_lines("(u^2+v^2<0.5&&v>0)?1:0", 0);
   for (const dvec2& p : {dvec2(0, 0.1), dvec2(0.5, 0.3), dvec2(-0.6, 0.1), dvec2(0, 0.7)})

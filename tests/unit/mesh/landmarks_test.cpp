@@ -65,6 +65,31 @@ TEST(Landmarks, LieInNarrowSlots) {
   }
 }
 
+TEST(Landmarks, TellHowDeepHolesAre) {
+  // Half of the width of slots in any direction, the radius of discs.
+  for (const double depth : {4.714e-4, 1e-3, 3e-3, 2e-2}) {
+    for (const char* const hole :
+         {"abs(v-0.18015)", "abs(u+v/5-0.18015)/sqrt(1.04)", "abs(v-0.7*u-0.2)/sqrt(1.49)",
+          "abs(u+v-0.1)/sqrt(2)", "hypot(u-0.3,v+0.111)"}) {
+      const std::string z = "(" + std::string(hole) + "<" + number(depth) + ")?nan:0";
+      double deepest = 0;
+      for (const Landmark& l : landmarks(z).places) {
+        if (l.is_hole())
+          deepest = std::max(deepest, depth_of(l.rim, dvec3(1, 0, 0), dvec3(0, 1, 0)));
+      }
+      EXPECT_GE(deepest, 0.9 * depth) << z;
+      EXPECT_LE(deepest, 1.01 * depth) << z;
+    }
+  }
+}
+
+TEST(Landmarks, OfHolesEndAtTheNearestEdges) {
+  for (const Landmark& l : landmarks("(abs(u-0.2)<1e-3||abs(u-0.203)<1e-3)?nan:0").places) {
+    if (!l.is_hole()) continue;
+    EXPECT_LE(depth_of(l.rim, dvec3(1, 0, 0), dvec3(0, 1, 0)), 1.01e-3) << l.uv.x << ' ' << l.uv.y;
+  }
+}
+
 TEST(Landmarks, OfASmallDiscAreFoundBesideACurve) {
   for (const char* const z : {"((u-0.4)^2+(v-0.3)^2<1e-6)?2:((u>v/3-0.2)?1:0)",
                               "((u-0.4)^2+(v-0.3)^2<1e-6)?2:((abs(u-v/3+0.2)<1e-5)?1:0)"}) {

@@ -1,0 +1,176 @@
+#include "mesh/proof/hole_rim.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "surface/parameter_box.h"
+
+namespace saddle {
+
+namespace {
+
+/// Along a ray 1/64 of it is looked at first, then twice as far each time: other parts of the
+/// surface and other holes may be behind the nearest edge.
+constexpr int kDoublings = 6;
+/// Halvings of the stretch between the last undefined and the first defined place: 1/128 of it.
+constexpr int kHalvingsToRim = 7;
+
+/// From an undefined place along one way.
+struct Ray {
+  dvec2 from, way;
+  double undefined = 0;           ///< share of the way up to the last undefined place
+  std::optional<double> defined;  ///< up to the first defined place, if it was met
+
+  dvec2 rim() const { return undefined * way; }
+};
+
+/// Evaluates the surface at share(ray) of each ray.
+template <class Share>
+void look(const Surface& surface, unsigned threads, Share share, std::vector<Ray>& rays) {
+  std::vector<dvec2> uv;
+  for (const Ray& ray : rays) uv.push_back(ray.from + share(ray) * ray.way);
+  const std::vector<dvec3> points = evaluate_positions(surface, uv, threads);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const double at = share(rays[i]);
+    if (is_finite(points[i])) {
+      rays[i].defined = at;
+    } else {
+      rays[i].undefined = at;
+    }
+  }
+}
+
+/// The part of a way that stays in the domain.
+double share_in(const ParameterBox& domain, const dvec2& from, const dvec2& way) {
+  double share = 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto [low, high] = std::minmax(domain.low[axis], domain.high[axis]);
+    const double room = (way[axis] < 0 ? low : high) - from[axis];
+    if (std::fabs(way[axis]) > std::fabs(room)) share = std::min(share, room / way[axis]);
+  }
+  return share;
+}
+
+/// Eight rays from each place, up to their edges.
+std::vector<Ray> rays_from(const Surface& surface, std::span<const dvec2> places,
+                           const dvec2& reach, unsigned threads) {
+  const ParameterBox domain = box_of(surface.domain);
+  std::vector<Ray> rays;
+  for (const dvec2& place : places) {
+    for (const dvec2& way : kEightWays)
+      rays.push_back({place, share_in(domain, place, way * reach) * way * reach, 0, {}});
+  }
+  for (int k = kDoublings; k >= 0; --k) {
+    const auto next = [k](const Ray& ray) { return ray.defined.value_or(std::ldexp(1.0, -k)); };
+    look(surface, threads, next, rays);
+  }
+  const auto middle = [](const Ray& ray) {
+    return ray.defined ? 0.5 * (ray.undefined + *ray.defined) : ray.undefined;
+  };
+  for (int k = 0; k < kHalvingsToRim; ++k) look(surface, threads, middle, rays);
+  return rays;
+}
+
+/// The rays of one place: ray k and ray k + 4 make a line through it.
+class Rays {
+ public:
+  explicit Rays(std::span<const Ray> rays) : rays_(rays) {}
+
+  /// The shortest line with an edge at both ends.
+  std::optional<std::size_t> shortest(const dvec2& reach) const {
+    std::optional<std::size_t> line;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < kLines; ++k) {
+      const double length = glm::length((rays_[k].rim() - rays_[k + kLines].rim()) / reach);
+      if (!has_edges(k) || length >= least) continue;
+      least = length;
+      line = k;
+    }
+    return line;
+  }
+  /// Whether a line has an edge at both ends.
+  bool has_edges(std::size_t line) const {
+    return rays_[line].defined && rays_[line + kLines].defined;
+  }
+  /// From the place to the middle of a line.
+  dvec2 to_middle(std::size_t line) const {
+    return 0.5 * (rays_[line].rim() + rays_[line + kLines].rim());
+  }
+  HoleRim rim() const {
+    HoleRim rim;
+    std::ranges::transform(rays_, rim.begin(), &Ray::rim);
+    return rim;
+  }
+
+  static constexpr std::size_t kLines = kEightWays.size() / 2;
+  /// The line across another one.
+  static std::size_t across(std::size_t line) { return (line + kLines / 2) % kLines; }
+
+ private:
+  std::span<const Ray> rays_;
+};
+
+/// Calls f(k, rays of place k).
+template <class F>
+void for_rays(const Surface& surface, std::span<const dvec2> places, const dvec2& reach,
+              unsigned threads, F f) {
+  const std::vector<Ray> rays = rays_from(surface, places, reach, threads);
+  for (std::size_t k = 0; k < places.size(); ++k)
+    f(k, Rays(std::span(rays).subspan(kEightWays.size() * k, kEightWays.size())));
+}
+
+double distance_from_origin(const dvec3& a, const dvec3& b) {
+  const dvec3 along = b - a;
+  const double square = glm::dot(along, along);
+  const double share = square > 0 ? std::clamp(-glm::dot(a, along) / square, 0.0, 1.0) : 0;
+  return glm::length(a + share * along);
+}
+
+}  // namespace
+
+std::vector<std::optional<ThinHole>> thin_holes(const Surface& surface,
+                                                std::span<const dvec2> undefined,
+                                                const dvec2& reach, unsigned threads) {
+  std::vector<std::size_t> numbers;
+  std::vector<std::size_t> lines;
+  std::vector<dvec2> middles;
+  for_rays(surface, undefined, reach, threads, [&](std::size_t k, const Rays& rays) {
+    const auto line = rays.shortest(reach);
+    if (!line) return;
+    numbers.push_back(k);
+    lines.push_back(*line);
+    middles.push_back(undefined[k] + rays.to_middle(*line));
+  });
+  std::vector<dvec2> centres = middles;
+  for_rays(surface, middles, reach, threads, [&](std::size_t i, const Rays& rays) {
+    const std::size_t across = Rays::across(lines[i]);
+    if (rays.has_edges(across)) centres[i] += rays.to_middle(across);
+  });
+  std::vector<std::optional<ThinHole>> holes(undefined.size());
+  for_rays(surface, centres, reach, threads, [&](std::size_t i, const Rays& rays) {
+    holes[numbers[i]] = {centres[i], rays.rim()};
+  });
+  return holes;
+}
+
+HoleRim rim_of_box(const dvec2& size) {
+  HoleRim rim;
+  std::ranges::transform(kEightWays, rim.begin(),
+                         [&](const dvec2& way) { return 0.5 * size * way; });
+  return rim;
+}
+
+double depth_of(const HoleRim& rim, const dvec3& r_u, const dvec3& r_v) {
+  const auto place = [&](std::size_t k) { return rim[k].x * r_u + rim[k].y * r_v; };
+  double depth = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < rim.size(); ++k)
+    depth = std::min(depth, distance_from_origin(place(k), place((k + 1) % rim.size())));
+  return depth;
+}
+
+}  // namespace saddle
