@@ -8,15 +8,17 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "mesh/model/tolerances.h"
 #include "surface/parameter_box.h"
 
 namespace saddle {
 
 namespace {
 
-/// Along a ray 1/64 of it is looked at first, then twice as far each time: other parts of the
-/// surface and other holes may be behind the nearest edge.
-constexpr int kDoublings = 6;
+/// Shares of a ray that are looked at one after the other: other holes may be behind the nearest
+/// edge. A few of them tell whether a hole is thin.
+constexpr std::array kFewShares = {1.0 / 16, 1.0 / 4, 1.0};
+constexpr std::array kShares = {1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0};
 /// Halvings of the stretch between the last undefined and the first defined place: 1/128 of it.
 constexpr int kHalvingsToRim = 7;
 
@@ -56,19 +58,26 @@ double share_in(const ParameterBox& domain, const dvec2& from, const dvec2& way)
   return share;
 }
 
-/// Eight rays from each place, up to their edges.
+/// Eight rays from each place, looked at up to the first defined place.
 std::vector<Ray> rays_from(const Surface& surface, std::span<const dvec2> places,
-                           const dvec2& reach, unsigned threads) {
+                           const dvec2& reach, std::span<const double> shares, unsigned threads) {
   const ParameterBox domain = box_of(surface.domain);
   std::vector<Ray> rays;
   for (const dvec2& place : places) {
     for (const dvec2& way : kEightWays)
       rays.push_back({place, share_in(domain, place, way * reach) * way * reach, 0, {}});
   }
-  for (int k = kDoublings; k >= 0; --k) {
-    const auto next = [k](const Ray& ray) { return ray.defined.value_or(std::ldexp(1.0, -k)); };
+  for (const double share : shares) {
+    const auto next = [share](const Ray& ray) { return ray.defined.value_or(share); };
     look(surface, threads, next, rays);
   }
+  return rays;
+}
+
+/// Eight rays from each place, up to their edges.
+std::vector<Ray> rays_to_rim(const Surface& surface, std::span<const dvec2> places,
+                             const dvec2& reach, unsigned threads) {
+  std::vector<Ray> rays = rays_from(surface, places, reach, kShares, threads);
   const auto middle = [](const Ray& ray) {
     return ray.defined ? 0.5 * (ray.undefined + *ray.defined) : ray.undefined;
   };
@@ -117,11 +126,9 @@ class Rays {
 
 /// Calls f(k, rays of place k).
 template <class F>
-void for_rays(const Surface& surface, std::span<const dvec2> places, const dvec2& reach,
-              unsigned threads, F f) {
-  const std::vector<Ray> rays = rays_from(surface, places, reach, threads);
-  for (std::size_t k = 0; k < places.size(); ++k)
-    f(k, Rays(std::span(rays).subspan(kEightWays.size() * k, kEightWays.size())));
+void for_places(std::span<const Ray> rays, F f) {
+  constexpr std::size_t kWays = kEightWays.size();
+  for (std::size_t k = 0; k * kWays < rays.size(); ++k) f(k, Rays(rays.subspan(kWays * k, kWays)));
 }
 
 double distance_from_origin(const dvec3& a, const dvec3& b) {
@@ -136,24 +143,32 @@ double distance_from_origin(const dvec3& a, const dvec3& b) {
 std::vector<std::optional<ThinHole>> thin_holes(const Surface& surface,
                                                 std::span<const dvec2> undefined,
                                                 const dvec2& reach, unsigned threads) {
+  std::vector<std::size_t> thin;
+  for_places(rays_from(surface, undefined, reach, kFewShares, threads),
+             [&](std::size_t k, const Rays& rays) {
+               if (rays.shortest(reach)) thin.push_back(k);
+             });
+  // Along a slot some stand for all.
+  const std::size_t count = std::min(thin.size(), kMostFollowed);
   std::vector<std::size_t> numbers;
-  std::vector<std::size_t> lines;
-  std::vector<dvec2> middles;
-  for_rays(surface, undefined, reach, threads, [&](std::size_t k, const Rays& rays) {
-    const auto line = rays.shortest(reach);
-    if (!line) return;
-    numbers.push_back(k);
-    lines.push_back(*line);
-    middles.push_back(undefined[k] + rays.to_middle(*line));
-  });
-  std::vector<dvec2> centres = middles;
-  for_rays(surface, middles, reach, threads, [&](std::size_t i, const Rays& rays) {
-    const std::size_t across = Rays::across(lines[i]);
-    if (rays.has_edges(across)) centres[i] += rays.to_middle(across);
+  std::vector<dvec2> places;
+  for (std::size_t i = 0; i < count; ++i) {
+    numbers.push_back(thin[i * thin.size() / count]);
+    places.push_back(undefined[numbers.back()]);
+  }
+  std::vector<std::optional<std::size_t>> lines(places.size());
+  for_places(rays_to_rim(surface, places, reach, threads), [&](std::size_t i, const Rays& rays) {
+    lines[i] = rays.shortest(reach);
+    if (lines[i]) places[i] += rays.to_middle(*lines[i]);
   });
   std::vector<std::optional<ThinHole>> holes(undefined.size());
-  for_rays(surface, centres, reach, threads, [&](std::size_t i, const Rays& rays) {
-    holes[numbers[i]] = {centres[i], rays.rim()};
+  std::vector<dvec2> middles = places;
+  for_places(rays_to_rim(surface, places, reach, threads), [&](std::size_t i, const Rays& rays) {
+    if (lines[i] && rays.has_edges(Rays::across(*lines[i])))
+      middles[i] += rays.to_middle(Rays::across(*lines[i]));
+  });
+  for_places(rays_to_rim(surface, middles, reach, threads), [&](std::size_t i, const Rays& rays) {
+    holes[numbers[i]] = {middles[i], rays.rim()};
   });
   return holes;
 }

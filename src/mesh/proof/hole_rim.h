@@ -21,7 +21,8 @@ struct ThinHole {
 };
 
 /// The holes around undefined places, as far as `reach` each way and no farther than the domain.
-/// Empty for a hole in which no line of 2 * `reach` through its place has two edges.
+/// Empty for a hole in which no line of 2 * `reach` through its place has two edges, and for some
+/// where there are more than kMostFollowed.
 std::vector<std::optional<ThinHole>> thin_holes(const Surface& surface,
                                                 std::span<const dvec2> undefined,
                                                 const dvec2& reach, unsigned threads);

@@ -92,12 +92,8 @@ class LandmarkSearch {
   void add_hole(const ParameterBox& box, const HoleRim& rim) {
     if (holes_ == kMostOpen) return;
     ++holes_;
-    result_.places.push_back({box.middle(),
-                              dvec3(std::numeric_limits<double>::quiet_NaN()),
-                              box.size(),
-                              dvec2(0),
-                              dvec2(0),
-                              rim});
+    result_.places.push_back({box.middle(), dvec3(std::numeric_limits<double>::quiet_NaN()),
+                              box.size(), dvec2(0), dvec2(0), rim});
   }
 
   /// A box around an undefined place in which bounds prove the surface to be undefined. `size`: of
