@@ -93,7 +93,10 @@ bool StripDistance::add(const Leaf& leaf, std::size_t number, std::span<const Tr
   if (!is_gap) across.at_least = kMostSafety * allowed;
   for (const double share : kAcrossStrip)
     add(glm::mix(from, to, share), dvec2(from.y - to.y, to.x - from.x));
-  return true;
+  // At a wide end the edges are those of a region.
+  return triangles.empty() || std::ranges::all_of(ends, [this](std::uint32_t end) {
+           return tree_.thin().contains(end);
+         });
 }
 
 /// Looks on each line across for the strip or gap.

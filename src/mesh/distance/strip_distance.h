@@ -29,7 +29,8 @@ class StripDistance {
                 const std::optional<Bounds>& clip, unsigned threads)
       : surface_(surface), grid_(grid), tree_(tree), clip_(clip), threads_(threads) {}
 
-  /// Adds lines across a thin strip or gap in a leaf. False for leaves that have none, or several.
+  /// Adds lines across a thin strip or gap in a leaf. False for leaves that have none, or several,
+  /// or one that is thin at one end alone: their edges are measured as others are, too.
   bool add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
            double allowed);
   /// Distances at the leaves that were added; several for some.
