@@ -107,23 +107,27 @@ void StripDistance::find_inside(std::span<Across> across) {
   for (std::size_t k = 0; k < across.size(); ++k) across[k].inside = inside[k];
 }
 
-/// Bisects the depth to which strips and gaps that end in a leaf reach. Adds the lines that cross
-/// them: the last of each is beside the tip.
+/// Adds the lines that cross a strip or gap which ends in its leaf: one beside the side through
+/// which it enters, and those of a bisection of its depth, of which the last is beside the tip.
 void StripDistance::follow_to_tips() {
-  for (double step = 0.5; step >= std::ldexp(1.0, -kHalvingsToTip); step /= 2) {
+  const auto look = [this](const auto& depth) {
     std::vector<Across> lines;
     for (const Tip& tip : tips_) {
       lines.push_back(tip.across);
       for (std::size_t end = 0; end < 2; ++end)
-        lines.back().line[end] = tip.side[end] + (tip.reached + step) * tip.depth;
+        lines.back().line[end] = tip.side[end] + depth(tip) * tip.depth;
     }
     find_inside(lines);
     for (std::size_t k = 0; k < tips_.size(); ++k) {
       if (!lines[k].inside) continue;
-      tips_[k].reached += step;
+      tips_[k].reached = depth(tips_[k]);
       across_.push_back(std::move(lines[k]));
     }
-  }
+  };
+  const double least = std::ldexp(1.0, -kHalvingsToTip);
+  look([least](const Tip&) { return least; });
+  for (double step = 0.5; step >= least; step /= 2)
+    look([step](const Tip& tip) { return std::min(tip.reached + step, 1.0); });
 }
 
 /// Measures each strip or gap on the lines across it.
