@@ -31,10 +31,6 @@ constexpr int kFramesToEnter = 4;
 
 constexpr std::chrono::seconds kMessageTime{4};
 
-/// Copying a picture to the window goes on in the next step if a step has taken so long: a key may
-/// wait.
-constexpr std::chrono::milliseconds kTurn{8};
-
 double seconds_until(Clock::time_point time) {
   return std::max(0.0, std::chrono::duration<double>(time - Clock::now()).count());
 }
