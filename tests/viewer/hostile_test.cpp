@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "export/formats/load_scene.h"
 #include "scene/toml/scene_file.h"
 #include "viewer/workplace.h"
 
@@ -80,6 +81,31 @@ TEST_F(HostileUser, OpensFilesThatAreNone) {
   EXPECT_NE(viewer.message(), "");
   EXPECT_EQ(scene_of(viewer), first);
   EXPECT_TRUE(until(viewer, [&] { return viewer.message().empty(); })) << "it goes by itself";
+}
+
+TEST_F(HostileUser, RemovesTheFileOfAScene) {
+  const std::filesystem::path file = path("a.toml");
+  write("a.toml", "title = \"first\"\n[[surface]]\nz = \"u\"\n");
+  ViewerSetup setup = setup_of(load_scene(file));
+  setup.file = setup.watched = file;
+  setup.reload = [file] { return load_scene(file); };
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(rests(viewer));
+  const auto is_told = [&] { return viewer.message().find("any more") != std::string::npos; };
+  std::filesystem::remove(file);
+  ASSERT_TRUE(until(viewer, is_told));
+  EXPECT_FALSE(viewer.model().error()) << "nothing is wrong with the scene";
+  EXPECT_EQ(viewer.message().find("saddle list"), std::string::npos);
+  EXPECT_TRUE(until(viewer, [&] { return viewer.message().empty(); })) << "it goes by itself";
+  type(viewer, "r");
+  EXPECT_TRUE(is_told());
+  EXPECT_EQ(viewer.model().scene().title, "first");
+  write("a.toml", "title = \"second\"\n[[surface]]\nz = \"v\"\n");
+  EXPECT_TRUE(until(viewer, [&] { return viewer.model().scene().title == "second"; }));
+  std::filesystem::remove(file);
+  std::filesystem::create_directory(file);
+  EXPECT_TRUE(until(viewer, [&] { return viewer.message().find("cannot") == 0; }));
+  EXPECT_FALSE(viewer.model().error());
 }
 
 TEST_F(HostileUser, GivesObjectsLongNames) {

@@ -184,7 +184,8 @@ std::optional<std::string> word_field(const std::string& label, const std::strin
   if (word.empty()) ImGui::PopStyleColor();
   if (is_open) {
     for (const std::string& each : words) {
-      if (ImGui::Selectable(each.c_str(), each == word)) chosen = each;
+      const std::string& seen = each.empty() ? hint : each;
+      if (ImGui::Selectable(seen.c_str(), each == word)) chosen = each;
     }
     ImGui::EndCombo();
   }
@@ -241,12 +242,13 @@ bool fold_row(const std::string& name, int icons, bool is_open_at_first) {
   return is_open;
 }
 
-void show_error(const Error& error) {
+void show_error(const Error& error, const std::string& owner) {
   const Place& place = error.place();
   show_place(place);
+  std::string about = owner;
   // Where there is no text to show, the name tells what is wrong.
-  const bool needs_name = place.text.empty() && !place.name.empty();
-  show_wrapped(Tone::Wrong, (needs_name ? place.name + ": " : "") + error.what());
+  if (place.text.empty() && !place.name.empty()) about += (about.empty() ? "" : " ") + place.name;
+  show_wrapped(Tone::Wrong, (about.empty() ? "" : about + ": ") + error.what());
   if (!error.hint().empty()) show_wrapped(Tone::Quiet, error.hint());
 }
 

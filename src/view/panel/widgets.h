@@ -26,7 +26,7 @@ std::optional<std::string> text_field(const std::string& label, const std::strin
 std::optional<std::string> bare_field(const char* id, const std::string& text, float letters,
                                       bool wrong = false);
 
-/// One of some words; what it was changed to. The hint is shown where there is none.
+/// One of some words; what it was changed to. The hint stands for an empty one.
 std::optional<std::string> word_field(const std::string& label, const std::string& word,
                                       const std::vector<std::string>& words,
                                       const std::string& hint = "");
@@ -48,8 +48,9 @@ void show_name(const std::string& name);
 /// have room behind it.
 bool fold_row(const std::string& name, int icons, bool is_open_at_first = false);
 
-/// The wrong part of the error's text, the message and the hint.
-void show_error(const Error& error);
+/// The wrong part of the error's text, the message and the hint. `owner`: the object that it is
+/// about, where there are several.
+void show_error(const Error& error, const std::string& owner = "");
 
 /// A text, with "…" in place of what is wider than so many pixels.
 std::string shortened(const std::string& text, float width);

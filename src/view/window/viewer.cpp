@@ -227,7 +227,9 @@ void Viewer::press(const Event& event) {
   const dvec2 pixel = in_picture(event.place);
   if (!event.twice) return hand_.press(model_, pixel, event.button, event.shift);
   model_.pick(pixel);
-  if (model_.picked()) print_lines(std::array{describe(*model_.picked())});
+  if (!model_.picked()) return;
+  panel_.reveal_picked();
+  print_lines(std::array{describe(*model_.picked())});
 }
 
 /// Escape closes the uppermost thing alone; a field keeps the keyboard after Return.
@@ -263,7 +265,10 @@ void Viewer::look_at_file() {
   if (watched_.empty() || Clock::now() < looked_ + kLook) return;
   looked_ = Clock::now();
   const auto written = last_write(watched_);
-  if (written == written_) return;
+  // An editor that puts another file in its place may have removed it a moment ago.
+  const bool is_gone = written == std::filesystem::file_time_type::min();
+  const bool was_gone = std::exchange(was_gone_, is_gone);
+  if (written == written_ || (is_gone && !was_gone)) return;
   written_ = written;
   model_.reload();
   touch();

@@ -212,8 +212,8 @@ void Viewer::write_file(const Export& file) {
 // --- scenes
 
 /// In place of the one that is shown, which undo() brings back.
-void Viewer::show_scene(Scene scene, std::function<Scene()> reload) {
-  model_.open(std::move(scene), std::move(reload));
+void Viewer::show_scene(Scene scene, std::function<Scene()> reload, std::filesystem::path file) {
+  model_.open(std::move(scene), std::move(reload), std::move(file));
   kept_ = saved_ = model_.history().version();
   start_shown_ = help_shown_ = is_typing_ = false;
   drawing_.change_with_meshes();
@@ -224,10 +224,14 @@ void Viewer::show_scene(Scene scene, std::function<Scene()> reload) {
 void Viewer::open(const std::filesystem::path& path) {
   try {
     const auto whole = std::filesystem::absolute(path);
-    if (std::filesystem::exists(whole) && !std::filesystem::is_regular_file(whole)) {
+    if (!std::filesystem::exists(whole)) {
+      throw Error(Status::Input, "there is no file " + whole.string());
+    }
+    if (!std::filesystem::is_regular_file(whole)) {
       throw Error(Status::Input, whole.string() + " is no file");  // such as /dev/zero, without end
     }
-    show_scene(load_scene(whole), [whole] { return load_scene(whole); });
+    show_scene(
+        load_scene(whole), [whole] { return load_scene(whole); }, whole);
     session_.remember_file(whole);
     if (!watched_.empty()) watched_ = whole;
   } catch (...) {
