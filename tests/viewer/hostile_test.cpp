@@ -57,6 +57,21 @@ TEST_F(HostileUser, TypesANameWithoutAnEnd) {
   EXPECT_TRUE(rests(viewer));
 }
 
+TEST_F(HostileUser, HasAFormulaOfAMegabyte) {
+  Scene scene = entry("torus");
+  scene.surfaces[0].z = std::string(1'000'000, 'q');
+  Viewer viewer(setup_of(std::move(scene)));
+  ASSERT_TRUE(until(viewer, [&] { return viewer.model().error().has_value(); }));
+  press_at(viewer, kFieldOfZ);  // all of it stands below
+  ASSERT_TRUE(rests(viewer));
+  press_at(viewer, kMiddle);
+  Event event;
+  event.place = kFieldOfZ;  // its tip
+  viewer.receive(event);
+  EXPECT_TRUE(rests(viewer));
+  EXPECT_EQ(viewer.model().scene().surfaces[0].z.size(), 1'000'000U);
+}
+
 TEST_F(HostileUser, OpensFilesThatAreNone) {
   Viewer viewer(setup_of(entry("torus")));
   ASSERT_TRUE(rests(viewer));

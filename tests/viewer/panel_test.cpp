@@ -212,6 +212,30 @@ TEST_F(PanelRows, NameTheObjectThatIsUndefined) {
   EXPECT_NE(strip_of(0), strip_of(1));
 }
 
+TEST_F(PanelRows, TellMistakesOfFilesInTheWordsOfAWindow) {
+  const auto strip_of = [&](const Place& place, const Hint& hint) {
+    ViewerSetup setup = setup_of(entry("torus"));
+    setup.reload = [&]() -> Scene { throw Error(Status::Input, "it is wrong", place, hint); };
+    Viewer viewer(std::move(setup));
+    EXPECT_TRUE(rests(viewer));
+    type(viewer, "r");
+    EXPECT_TRUE(rests(viewer));
+    const Image screen = screenshot();
+    std::string strip;
+    for (int y = 255; y < 400; ++y) {
+      for (int x = 5; x < 290; ++x) strip += static_cast<char>(screen.pixel(x, y)[0]);
+    }
+    return strip;
+  };
+  const std::string plain = strip_of({"z", "z = \"u*\"", {6, 7}}, "add a number");
+  EXPECT_EQ(strip_of({"z", "[[surface]]\nz = \"u*\"\nx = 3", {18, 19}}, "add a number"), plain)
+      << "the line alone is shown";
+  EXPECT_EQ(strip_of({"z", "z = \"u*\"", {6, 7}}, {"add a number", "saddle list names them"}),
+            plain)
+      << "there are no commands in a window";
+  EXPECT_NE(strip_of({"z", "z = \"u*\"", {6, 7}, "a.toml:2:7"}, "add a number"), plain);
+}
+
 TEST_F(PanelRows, ShowAPickedPointAlsoWhereTheListIsLong) {
   Viewer viewer(setup_of(three_objects()));
   ASSERT_TRUE(rests(viewer));

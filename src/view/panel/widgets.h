@@ -55,6 +55,10 @@ void show_error(const Error& error, const std::string& owner = "");
 /// A text, with "…" in place of what is wider than so many pixels.
 std::string shortened(const std::string& text, float width);
 
+/// A text that is wrapped, without what is beyond some screens full; "…" stands for it. The toolkit
+/// ends the process above 16 000 letters.
+std::string beginning_of(const std::string& text);
+
 /// A sentence with the panel's fields in place of the command line's options: "clip off" for
 /// "--clip off".
 std::string for_panel(const std::string& sentence);
