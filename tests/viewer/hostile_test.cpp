@@ -89,6 +89,8 @@ TEST_F(HostileUser, OpensFilesThatAreNone) {
                            "huge", "folder.toml", "none.toml"}) {
     drop(viewer, path(name).string());
     EXPECT_NE(viewer.message(), "") << name;
+    EXPECT_EQ(viewer.message().find("saddle "), std::string::npos) << "no command: " << name;
+    EXPECT_EQ(viewer.message().find("saddle:"), std::string::npos) << name;
     ASSERT_TRUE(rests(viewer)) << name;
     EXPECT_EQ(scene_of(viewer), first) << name;
   }
@@ -139,6 +141,22 @@ TEST_F(HostileUser, GivesObjectsLongNames) {
     return buttons;
   };
   EXPECT_EQ(buttons_of("a"), buttons_of("a" + std::string(200, 'b')));
+}
+
+TEST_F(HostileUser, HoldsKeysDown) {
+  open({"z=u*v"});
+  act("mousemove 700 300 keydown s sleep 1.5 keyup s");
+  act("key ctrl+q");
+  ASSERT_EQ(status(), 0);
+  EXPECT_TRUE(std::filesystem::exists(path("saddle.png")));
+  EXPECT_FALSE(std::filesystem::exists(path("saddle-2.png"))) << "once is enough";
+  open({"z=u*v"});
+  enter_field(2);
+  act("type +");
+  act("keydown 1 sleep 1.5 keyup 1");
+  act("mousemove 700 300 click 1 key S");
+  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(path("saddle.toml")); }));
+  EXPECT_GT(load_scene(path("saddle.toml")).surfaces.at(0).z.size(), 8U) << "letters repeat";
 }
 
 TEST_F(HostileUser, MakesTheWindowSmallAndLargeInARush) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -138,6 +139,15 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& c, float r, ImU32 colo
   }
 }
 
+/// Those that are no commands, of which a window has none.
+Hint hints_of(const Error& error) {
+  Hint hints;
+  for (const std::string& line : error.hint_lines()) {
+    if (!line.starts_with("saddle ")) hints.add(line);
+  }
+  return hints;
+}
+
 float icon_side() {
   return ImGui::GetFontSize() + 2;
 }
@@ -262,9 +272,14 @@ void show_error(const Error& error, const std::string& owner) {
   // Where there is no text to show, the name tells what is wrong.
   if (place.text.empty() && !place.name.empty()) about += (about.empty() ? "" : " ") + place.name;
   show_wrapped(Tone::Wrong, (about.empty() ? "" : about + ": ") + error.what());
-  for (const std::string& line : error.hint_lines()) {
-    if (!line.starts_with("saddle ")) show_wrapped(Tone::Quiet, line);  // else a command
-  }
+  for (const std::string& line : hints_of(error)) show_wrapped(Tone::Quiet, line);
+}
+
+std::string window_text(const Error& error) {
+  const std::string text =
+      format_error(Error(error.status(), error.what(), error.place(), hints_of(error)));
+  constexpr std::string_view kProgram = "saddle: ";
+  return text.starts_with(kProgram) ? text.substr(kProgram.size()) : text;
 }
 
 std::string shortened(const std::string& text, float width) {

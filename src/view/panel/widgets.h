@@ -52,6 +52,10 @@ bool fold_row(const std::string& name, int icons, bool is_open_at_first = false)
 /// about, where there are several.
 void show_error(const Error& error, const std::string& owner = "");
 
+/// All of an error as lines of text, in the words of a window: without the program's name, and
+/// without hints that are commands.
+std::string window_text(const Error& error);
+
 /// A text, with "…" in place of what is wider than so many pixels.
 std::string shortened(const std::string& text, float width);
 

@@ -9,6 +9,7 @@
 #include "base/format.h"
 #include "base/standard_streams.h"
 #include "view/panel/fields.h"
+#include "view/panel/widgets.h"
 #include "view/window/display_end.h"
 
 namespace saddle {
@@ -383,7 +384,7 @@ Overlay Viewer::overlay() {
   overlay.left = panel_width();
   overlay.message = message_;
   // An error that the panel shows is not shown twice.
-  if (model_.error() && !model_.view().panel) overlay.message = format_error(*model_.error());
+  if (model_.error() && !model_.view().panel) overlay.message = window_text(*model_.error());
   if (help_shown_) overlay.help = key_help();
   const auto& picked = model_.picked();
   if (!picked || start_shown_) return overlay;

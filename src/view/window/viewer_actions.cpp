@@ -11,6 +11,7 @@
 #include "scene/toml/scene_file.h"
 #include "view/model/files.h"
 #include "view/panel/fields.h"
+#include "view/panel/widgets.h"
 #include "view/window/viewer.h"
 
 namespace saddle {
@@ -235,7 +236,7 @@ void Viewer::open(const std::filesystem::path& path) {
     session_.remember_file(whole);
     if (!watched_.empty()) watched_ = whole;
   } catch (...) {
-    say(format_error(caught_error()));
+    say(window_text(caught_error()));
   }
 }
 
