@@ -139,7 +139,7 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& c, float r, ImU32 colo
   }
 }
 
-/// Those that are no commands, of which a window has none.
+/// Hints of an error but for commands, of which a window has none.
 Hint hints_of(const Error& error) {
   Hint hints;
   for (const std::string& line : error.hint_lines()) {

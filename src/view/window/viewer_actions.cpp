@@ -21,6 +21,16 @@ namespace {
 constexpr double kThumbnailWidth = 132;
 constexpr double kThumbnailHeight = 99;
 
+/// A scene with a mistake is written as it is, but opened only once that is mended.
+bool can_be_opened(const std::filesystem::path& file) {
+  try {
+    load_scene(file);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 std::string key_and_help(const ActionRow& row) {
   const std::string key = row.key;
   return key.empty() ? row.help : key + "   " + row.help;
@@ -96,8 +106,12 @@ bool Viewer::act_on_files(Action action) {
       return true;
     case Action::SaveScene: {
       const auto path = save_scene(model_.scene_to_save());
-      say("saved " + path.string());
       session_.remember_file(path);
+      if (!can_be_opened(path)) {
+        say("saved " + path.string() + " with its mistake: it stays unsaved work, too");
+        return true;
+      }
+      say("saved " + path.string());
       kept_ = saved_ = model_.history().version();
       session_.forget_work();
       return true;
