@@ -157,6 +157,22 @@ TEST_F(PanelRows, GoBackToTheScenesWordWhereOneWasChosen) {
   EXPECT_EQ(viewer.model().scene().surfaces[0].shading, Shading::Vertex);
 }
 
+TEST_F(PanelRows, TakeNoDefinitionWithoutAFormula) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  press_row(viewer, kRowOfParameter + 2 * kApart);
+  type(viewer, "foo");
+  key(viewer, "Return", kReturn);
+  ASSERT_TRUE(rests(viewer));
+  EXPECT_EQ(viewer.model().scene().definitions.size(), 2U);
+  EXPECT_FALSE(viewer.model().error()) << viewer.model().error()->what();
+  type(viewer, "=r");
+  key(viewer, "Return", kReturn);
+  ASSERT_TRUE(rests(viewer));
+  ASSERT_EQ(viewer.model().scene().definitions.size(), 3U);
+  EXPECT_EQ(viewer.model().scene().definitions[2].text, "r");
+}
+
 /// Two surfaces and a curve, all of them with an x, y and z; none is unfolded at first.
 Scene three_objects() {
   Scene scene;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 #include <imgui.h>
@@ -114,6 +115,11 @@ void Panel::show_new_definition(Desk& desk) {
     Scene scene = desk.scene();
     refused_.reset();
     try {
+      const std::size_t end = new_definition_.size();
+      if (new_definition_.find('=') == std::string::npos) {
+        throw Error(Status::Input, "the = is missing", {"", new_definition_, {end, end}},
+                    "for example k = 2, or f(s) = s^2");
+      }
       assign(scene, new_definition_);
       desk.model.edit(std::move(scene), "");
       new_definition_.clear();
