@@ -92,6 +92,27 @@ TEST_F(PanelRows, OpenByAClickThatComesAtOnce) {
       << "a number of the first light is edited";
 }
 
+TEST_F(PanelRows, SoftenTheEdgeOfASpot) {
+  ViewerSetup setup = setup_of(entry("torus"));
+  setup.scene.picture.height = 690;
+  Light& light = setup.scene.lights[0];
+  light.attenuation.range = Number(50);
+  light.spot.emplace().inner = Number(20);
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(rests(viewer));
+  press_row(viewer, kLights);
+  press_row(viewer, kLights + kApart);  // the first light
+  ASSERT_TRUE(rests(viewer));
+  press_row(viewer, kLights + 13 * kApart);  // its falloff
+  ASSERT_TRUE(rests(viewer));
+  press_row(viewer, kLights + 13 * kApart - 26);  // the last word: the list has no room below
+  const auto falloff = [&] { return viewer.model().scene().lights[0].spot->falloff; };
+  EXPECT_EQ(falloff(), Spot::Falloff::Smooth);
+  press_at(viewer, kMiddle);
+  key(viewer, "Ctrl-Z");
+  EXPECT_EQ(falloff(), Spot::Falloff::Linear);
+}
+
 TEST_F(PanelRows, DragSlidersToRoundValues) {
   Viewer viewer(setup_of(entry("torus")));
   ASSERT_TRUE(rests(viewer));
