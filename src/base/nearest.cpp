@@ -79,6 +79,8 @@ std::vector<std::string> similar_names(std::string_view word,
     }
   };
   if (const auto nearest = nearest_name(word, candidates)) return {*nearest};
+  constexpr std::size_t kLongest = 200;  // this is a text, and no name
+  if (word.size() > kLongest) return {};
   std::vector<std::string> known;
   for (const std::string& candidate : candidates)
     std::ranges::copy(parts_of(candidate), std::back_inserter(known));
@@ -112,6 +114,7 @@ std::optional<std::string> nearest_name(std::string_view word,
   for (const std::string& candidate : candidates) {
     const std::u32string name = folded(candidate);
     if (name.size() > wanted.size() + least) continue;  // as many letters left out at least
+    if (wanted.size() > name.size() + least / kOtherEdit) continue;  // or as many too many
     const std::size_t cost = alignment_cost(wanted, name);
     // Nothing in common: 'q' is not a misspelt 'e'.
     if (cost < least && share_a_letter(wanted, name)) {

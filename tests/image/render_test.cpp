@@ -246,6 +246,20 @@ TEST(Picture, DependsNeitherOnPlaceNorOnSize) {
   EXPECT_LE(difference(near, picture(dvec3(0), 1e100)).pixels, kFew);
 }
 
+TEST(Picture, LightsAStripHoweverMuchLongerThanWide) {
+  const auto picture = [](double length) {
+    // z = x*y: its normals are along y but for a part that grows less with the length.
+    const auto strip = [length](double s, double t) {
+      const double x = length * (0.1 + s);
+      const double y = 2 * t - 1;
+      return AnalyticPoint{{x, y, x * y}, glm::normalize(dvec3(-y / x, -1, 1 / x))};
+    };
+    return draw(scene_of(1), analytic_mesh(strip), {300, 200, 2});
+  };
+  const Image image = picture(1e100);
+  EXPECT_LE(difference(image, picture(1e200)).pixels, 10);
+}
+
 TEST(Picture, LooksTheSameFromFarAwayThroughATelescope) {
   const Mesh mesh = sphere_mesh(dvec3(0), 1, {64, 64, 0});
   Scene scene = scene_of(1);

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "export/formats/load_scene.h"
 #include "scene/toml/scene_file.h"
 #include "viewer/workplace.h"
 
@@ -56,6 +57,21 @@ TEST_F(HostileUser, TypesANameWithoutAnEnd) {
   EXPECT_TRUE(rests(viewer));
 }
 
+TEST_F(HostileUser, HasAFormulaOfAMegabyte) {
+  Scene scene = entry("torus");
+  scene.surfaces[0].z = std::string(1'000'000, 'q');
+  Viewer viewer(setup_of(std::move(scene)));
+  ASSERT_TRUE(until(viewer, [&] { return viewer.model().error().has_value(); }));
+  press_at(viewer, kFieldOfZ);  // all of it stands below
+  ASSERT_TRUE(rests(viewer));
+  press_at(viewer, kMiddle);
+  Event event;
+  event.place = kFieldOfZ;  // its tip
+  viewer.receive(event);
+  EXPECT_TRUE(rests(viewer));
+  EXPECT_EQ(viewer.model().scene().surfaces[0].z.size(), 1'000'000U);
+}
+
 TEST_F(HostileUser, OpensFilesThatAreNone) {
   Viewer viewer(setup_of(entry("torus")));
   ASSERT_TRUE(rests(viewer));
@@ -73,6 +89,8 @@ TEST_F(HostileUser, OpensFilesThatAreNone) {
                            "huge", "folder.toml", "none.toml"}) {
     drop(viewer, path(name).string());
     EXPECT_NE(viewer.message(), "") << name;
+    EXPECT_EQ(viewer.message().find("saddle "), std::string::npos) << "no command: " << name;
+    EXPECT_EQ(viewer.message().find("saddle:"), std::string::npos) << name;
     ASSERT_TRUE(rests(viewer)) << name;
     EXPECT_EQ(scene_of(viewer), first) << name;
   }
@@ -80,6 +98,31 @@ TEST_F(HostileUser, OpensFilesThatAreNone) {
   EXPECT_NE(viewer.message(), "");
   EXPECT_EQ(scene_of(viewer), first);
   EXPECT_TRUE(until(viewer, [&] { return viewer.message().empty(); })) << "it goes by itself";
+}
+
+TEST_F(HostileUser, RemovesTheFileOfAScene) {
+  const std::filesystem::path file = path("a.toml");
+  write("a.toml", "title = \"first\"\n[[surface]]\nz = \"u\"\n");
+  ViewerSetup setup = setup_of(load_scene(file));
+  setup.file = setup.watched = file;
+  setup.reload = [file] { return load_scene(file); };
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(rests(viewer));
+  const auto is_told = [&] { return viewer.message().find("any more") != std::string::npos; };
+  std::filesystem::remove(file);
+  ASSERT_TRUE(until(viewer, is_told));
+  EXPECT_FALSE(viewer.model().error()) << "nothing is wrong with the scene";
+  EXPECT_EQ(viewer.message().find("saddle list"), std::string::npos);
+  EXPECT_TRUE(until(viewer, [&] { return viewer.message().empty(); })) << "it goes by itself";
+  type(viewer, "r");
+  EXPECT_TRUE(is_told());
+  EXPECT_EQ(viewer.model().scene().title, "first");
+  write("a.toml", "title = \"second\"\n[[surface]]\nz = \"v\"\n");
+  EXPECT_TRUE(until(viewer, [&] { return viewer.model().scene().title == "second"; }));
+  std::filesystem::remove(file);
+  std::filesystem::create_directory(file);
+  EXPECT_TRUE(until(viewer, [&] { return viewer.message().find("cannot") == 0; }));
+  EXPECT_FALSE(viewer.model().error());
 }
 
 TEST_F(HostileUser, GivesObjectsLongNames) {
@@ -98,6 +141,22 @@ TEST_F(HostileUser, GivesObjectsLongNames) {
     return buttons;
   };
   EXPECT_EQ(buttons_of("a"), buttons_of("a" + std::string(200, 'b')));
+}
+
+TEST_F(HostileUser, HoldsKeysDown) {
+  open({"z=u*v"});
+  act("mousemove 700 300 keydown s sleep 1.5 keyup s");
+  act("key ctrl+q");
+  ASSERT_EQ(status(), 0);
+  EXPECT_TRUE(std::filesystem::exists(path("saddle.png")));
+  EXPECT_FALSE(std::filesystem::exists(path("saddle-2.png"))) << "once is enough";
+  open({"z=u*v"});
+  enter_field(2);
+  act("type +");
+  act("keydown 1 sleep 1.5 keyup 1");
+  act("mousemove 700 300 click 1 key S");
+  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(path("saddle.toml")); }));
+  EXPECT_GT(load_scene(path("saddle.toml")).surfaces.at(0).z.size(), 8U) << "letters repeat";
 }
 
 TEST_F(HostileUser, MakesTheWindowSmallAndLargeInARush) {

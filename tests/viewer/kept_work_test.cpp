@@ -65,6 +65,19 @@ TEST_F(Workplace, KeepsNoWorkThatIsSaved) {
   EXPECT_FALSE(Session().left_work());
 }
 
+TEST_F(Workplace, KeepsWorkThatIsSavedWithAMistake) {
+  open({"z=u*v"});
+  enter_field(2);
+  act("type '+sqrt(kk'");
+  click(700, 550);
+  act("key S");
+  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(path("saddle.toml")); }));
+  act("key ctrl+q");
+  ASSERT_EQ(status(), 0);
+  Viewer viewer(setup_of(entry("torus")));
+  EXPECT_EQ(work_brought_back(viewer), "u*v+sqrt(kk") << "no window could open the file";
+}
+
 TEST_F(Workplace, KeepsWorkOfTheLastMomentWhereTheDisplayGoes) {
   open({"z=u*v"});
   enter_field(2);

@@ -27,6 +27,19 @@ TEST_F(Workplace, FindsActionsByTheirNames) {
   EXPECT_FALSE(viewer.model().view().grid) << "letters are keys again";
 }
 
+TEST_F(Workplace, KeepsListsInANarrowWindow) {
+  ViewerSetup setup = setup_of(entry("torus"));
+  setup.scene.picture.width = 40;
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(rests(viewer));
+  key(viewer, "Ctrl-P");
+  ASSERT_TRUE(rests(viewer));
+  const Image screen = screenshot();
+  constexpr int kBlack = 10;
+  EXPECT_LT(screen.pixel(360 - 5, 200)[0], kBlack) << "the picture is at the right of the list";
+  EXPECT_GT(screen.pixel(360 - 25, 200)[0], kBlack);
+}
+
 TEST_F(Workplace, SearchesTheGalleryAnewEachTime) {
   Viewer viewer(setup_of(entry("torus")));
   ASSERT_TRUE(rests(viewer));

@@ -92,6 +92,27 @@ TEST_F(PanelRows, OpenByAClickThatComesAtOnce) {
       << "a number of the first light is edited";
 }
 
+TEST_F(PanelRows, SoftenTheEdgeOfASpot) {
+  ViewerSetup setup = setup_of(entry("torus"));
+  setup.scene.picture.height = 690;
+  Light& light = setup.scene.lights[0];
+  light.attenuation.range = Number(50);
+  light.spot.emplace().inner = Number(20);
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(rests(viewer));
+  press_row(viewer, kLights);
+  press_row(viewer, kLights + kApart);  // the first light
+  ASSERT_TRUE(rests(viewer));
+  press_row(viewer, kLights + 13 * kApart);  // its falloff
+  ASSERT_TRUE(rests(viewer));
+  press_row(viewer, kLights + 13 * kApart - 26);  // the last word: the list has no room below
+  const auto falloff = [&] { return viewer.model().scene().lights[0].spot->falloff; };
+  EXPECT_EQ(falloff(), Spot::Falloff::Smooth);
+  press_at(viewer, kMiddle);
+  key(viewer, "Ctrl-Z");
+  EXPECT_EQ(falloff(), Spot::Falloff::Linear);
+}
+
 TEST_F(PanelRows, DragSlidersToRoundValues) {
   Viewer viewer(setup_of(entry("torus")));
   ASSERT_TRUE(rests(viewer));
@@ -136,6 +157,138 @@ TEST_F(PanelRows, ShowWhatHoldsWhereNoWordIsChosen) {
     for (int x = 82; x < 200; ++x) letters += screen.pixel(x, y)[0] > 100 ? 1 : 0;
   }
   EXPECT_GT(letters, 50);
+}
+
+TEST_F(PanelRows, GoBackToTheScenesWordWhereOneWasChosen) {
+  ViewerSetup setup = setup_of(entry("torus"));
+  setup.scene.picture.height = 650;
+  setup.scene.surfaces[0].shading = Shading::Vertex;
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(rests(viewer));
+  press_at(viewer, {20, 186});  // more
+  ASSERT_TRUE(rests(viewer));
+  constexpr double kShading = 583;
+  press_at(viewer, {200, kShading});
+  ASSERT_TRUE(rests(viewer));
+  constexpr double kFirstWord = kShading - 101;  // the list has no room below
+  press_at(viewer, {200, kFirstWord});
+  EXPECT_FALSE(viewer.model().scene().surfaces[0].shading);
+  press_at(viewer, kMiddle);
+  key(viewer, "Ctrl-Z");
+  EXPECT_EQ(viewer.model().scene().surfaces[0].shading, Shading::Vertex);
+}
+
+TEST_F(PanelRows, TakeNoDefinitionWithoutAFormula) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  press_row(viewer, kRowOfParameter + 2 * kApart);
+  type(viewer, "foo");
+  key(viewer, "Return", kReturn);
+  ASSERT_TRUE(rests(viewer));
+  EXPECT_EQ(viewer.model().scene().definitions.size(), 2U);
+  EXPECT_FALSE(viewer.model().error()) << viewer.model().error()->what();
+  type(viewer, "=r");
+  key(viewer, "Return", kReturn);
+  ASSERT_TRUE(rests(viewer));
+  ASSERT_EQ(viewer.model().scene().definitions.size(), 3U);
+  EXPECT_EQ(viewer.model().scene().definitions[2].text, "r");
+}
+
+/// Two surfaces and a curve, all of them with an x, y and z; none is unfolded at first.
+Scene three_objects() {
+  Scene scene;
+  for (const char* const name : {"one", "two"}) {
+    SurfaceSpec& spec = scene.surfaces.emplace_back();
+    spec.name = name;
+    spec.x = "u";
+    spec.y = "v";
+    spec.z = "u*v";
+  }
+  CurveSpec& curve = scene.curves.emplace_back();
+  curve.name = "curve";
+  curve.x = curve.y = curve.z = "s";
+  return scene;
+}
+
+TEST_F(PanelRows, MarkAMistakeInItsOwnObjectAlone) {
+  Scene scene = three_objects();
+  scene.surfaces[0].z = "nothing";
+  ViewerSetup setup = setup_of(std::move(scene));
+  setup.scene.picture.height = 650;
+  Viewer viewer(std::move(setup));
+  ASSERT_TRUE(until(viewer, [&] { return viewer.model().error().has_value(); }));
+  ASSERT_TRUE(rests(viewer));
+  const Image screen = screenshot();
+  const auto red_letters = [&](int row) {
+    int letters = 0;
+    for (int y = row - 8; y < row + 8; ++y) {
+      for (int x = 28; x < 120; ++x) letters += screen.pixel(x, y)[0] > screen.pixel(x, y)[2] + 60;
+    }
+    return letters;
+  };
+  EXPECT_GT(red_letters(115), 20);
+  EXPECT_EQ(red_letters(284), 0) << "the other surface's z";
+  EXPECT_EQ(red_letters(478), 0) << "the curve's z";
+}
+
+TEST_F(PanelRows, NameTheObjectThatIsUndefined) {
+  const auto strip_of = [&](std::size_t faulty) {
+    Scene scene = three_objects();
+    scene.surfaces[faulty].z = "sqrt(-1-u*u)";
+    Viewer viewer(setup_of(std::move(scene)));
+    EXPECT_TRUE(until(viewer, [&] { return viewer.model().error().has_value(); }));
+    EXPECT_TRUE(rests(viewer));
+    EXPECT_EQ(viewer.model().faulty()->name, faulty == 0 ? "one" : "two");
+    const Image screen = screenshot();
+    std::string strip;
+    for (int y = 250; y < 270; ++y) {
+      for (int x = 5; x < 100; ++x) strip += static_cast<char>(screen.pixel(x, y)[0]);
+    }
+    return strip;
+  };
+  EXPECT_NE(strip_of(0), strip_of(1));
+}
+
+TEST_F(PanelRows, TellMistakesOfFilesInTheWordsOfAWindow) {
+  const auto strip_of = [&](const Place& place, const Hint& hint) {
+    ViewerSetup setup = setup_of(entry("torus"));
+    setup.reload = [&]() -> Scene { throw Error(Status::Input, "it is wrong", place, hint); };
+    Viewer viewer(std::move(setup));
+    EXPECT_TRUE(rests(viewer));
+    type(viewer, "r");
+    EXPECT_TRUE(rests(viewer));
+    const Image screen = screenshot();
+    std::string strip;
+    for (int y = 255; y < 400; ++y) {
+      for (int x = 5; x < 290; ++x) strip += static_cast<char>(screen.pixel(x, y)[0]);
+    }
+    return strip;
+  };
+  const std::string plain = strip_of({"z", "z = \"u*\"", {6, 7}}, "add a number");
+  EXPECT_EQ(strip_of({"z", "[[surface]]\nz = \"u*\"\nx = 3", {18, 19}}, "add a number"), plain)
+      << "the line alone is shown";
+  EXPECT_EQ(strip_of({"z", "z = \"u*\"", {6, 7}}, {"add a number", "saddle list names them"}),
+            plain)
+      << "there are no commands in a window";
+  EXPECT_NE(strip_of({"z", "z = \"u*\"", {6, 7}, "a.toml:2:7"}, "add a number"), plain);
+}
+
+TEST_F(PanelRows, ShowAPickedPointAlsoWhereTheListIsLong) {
+  Viewer viewer(setup_of(three_objects()));
+  ASSERT_TRUE(rests(viewer));
+  const auto panel = [&] {
+    const Image screen = screenshot();
+    std::string pixels;
+    for (int y = 25; y < 400; ++y) {
+      for (int x = 5; x < 290; ++x) pixels += static_cast<char>(screen.pixel(x, y)[0]);
+    }
+    return pixels;
+  };
+  const std::string before = panel();
+  double_click(viewer, kMiddle);
+  ASSERT_TRUE(viewer.model().picked());
+  ASSERT_TRUE(rests(viewer));
+  EXPECT_NE(panel(), before);
 }
 
 TEST_F(PanelRows, MakeASliderForAnUnknownName) {

@@ -45,12 +45,13 @@ ViewerSetup viewer_setup(const CommandLine& line) {
   ViewerSetup setup;
   setup.scene = build_scene(line);
   setup.reload = [line] { return build_scene(line); };
+  setup.file = scene_file_of(line);
   const std::vector<std::string> arguments = line.arguments();
   if (std::ranges::find(arguments, "-") != arguments.end()) {
     setup.reload = [scene = setup.scene] { return scene; };  // standard input is read once
   }
   if (line.run.watch) {
-    setup.watched = scene_file_of(line);
+    setup.watched = setup.file;
     if (setup.watched.empty()) {
       throw Error(Status::Input, "there is no scene file to watch", {"--watch", "", {}},
                   "-o FILE.toml writes one");

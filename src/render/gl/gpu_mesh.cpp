@@ -8,6 +8,8 @@
 #include <numeric>
 #include <vector>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -25,6 +27,13 @@ struct Vertex {
 /// Stands for no number.
 constexpr float kUndefined = -1;
 
+/// The unit normal in a frame whose sides differ by `to_model`. Where they differ much, squares of
+/// its components would be less than any double.
+dvec3 model_normal(const dvec3& normal, const dvec3& to_model) {
+  const dvec3 n = normal * to_model;
+  return glm::normalize(n / largest_of(glm::abs(n)));
+}
+
 /// Converts straight into the buffer's memory: no second copy of the vertices.
 void upload_vertices(const Mesh& mesh, const ModelFrame& frame) {
   const std::size_t count = mesh.position.size();
@@ -39,7 +48,7 @@ void upload_vertices(const Mesh& mesh, const ModelFrame& frame) {
   for (std::size_t i = 0; i < count; ++i) {
     vertices[i].position = glm::vec3((mesh.position[i] - frame.centre) / frame.sides);
     const dvec3& n = mesh.normal[i];
-    vertices[i].normal = glm::vec3(is_plain ? n : glm::normalize(n * to_model));
+    vertices[i].normal = glm::vec3(is_plain ? n : model_normal(n, to_model));
   }
   glUnmapBuffer(GL_ARRAY_BUFFER);
 }

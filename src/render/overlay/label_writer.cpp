@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include <glm/common.hpp>
 
@@ -12,6 +13,8 @@ namespace {
 
 /// The least height of letters that can be read, in pixels.
 constexpr double kLeastReadable = 6;
+/// The width of the largest picture in pixels: no line of as many letters has room in it.
+constexpr std::size_t kMostBytes = 16384;
 /// Lines up and down that a text may be from where it belongs.
 constexpr int kFarthest = 4;
 
@@ -80,7 +83,7 @@ std::string LabelWriter::shortened(const std::string& text, double most, double 
 }
 
 std::string one_line(const std::string& text) {
-  std::string line = text;
+  std::string line = text.substr(0, kMostBytes);
   for (char& c : line) {
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   }

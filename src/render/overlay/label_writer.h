@@ -63,7 +63,8 @@ class LabelWriter {
   std::vector<WrittenText> texts_;
 };
 
-/// Line ends and other controls, which have no letters, as spaces.
+/// Line ends and other controls, which have no letters, as spaces; no more of a text than the
+/// largest picture has pixels in a line.
 std::string one_line(const std::string& text);
 
 }  // namespace saddle

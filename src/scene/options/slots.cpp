@@ -1,5 +1,6 @@
 #include "scene/options/slots.h"
 
+#include <concepts>
 #include <type_traits>
 
 namespace saddle {
@@ -15,11 +16,16 @@ void parse_slot(const kinds::Slot& slot, const kinds::Given& given) {
 bool clear_slot(const kinds::Slot& slot) {
   return std::visit(
       [](const auto& kind) {
-        constexpr bool kClears = requires {
+        if constexpr (requires {
+                        { kind.clear() } -> std::same_as<bool>;
+                      }) {
+          return kind.clear();
+        } else if constexpr (requires { kind.clear(); }) {
           kind.clear();
-        };
-        if constexpr (kClears) kind.clear();
-        return kClears;
+          return true;
+        } else {
+          return false;
+        }
       },
       slot);
 }

@@ -154,6 +154,11 @@ void Choice::read(const InFile& in) const {
   in.reader.in_place([&] { set(parse_choice(in.subject, text, words)); });
 }
 
+bool Choice::clear() const {
+  if (unset) unset();
+  return unset != nullptr;
+}
+
 std::string Choice::format() const {
   const std::optional<std::size_t> place = get();
   return place ? words[*place] : "";

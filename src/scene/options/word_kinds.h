@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -98,6 +99,9 @@ struct Choice {
   std::vector<std::string> words;
   std::function<std::optional<std::size_t>()> get;  ///< none: a value without a word
   std::function<void(std::size_t)> set;
+  std::function<void()> unset = {};  ///< back to no word; none where there is always one
+
+  bool clear() const;
 
   void parse(const Given& given) const;
   std::string format() const;
@@ -121,6 +125,9 @@ Choice choice(Value* value, const std::vector<std::pair<const char*, Enum>>& wor
     return std::nullopt;
   };
   result.set = [value, values](std::size_t i) { *value = values[i]; };
+  if constexpr (std::is_same_v<Value, std::optional<Enum>>) {
+    result.unset = [value] { value->reset(); };
+  }
   return result;
 }
 

@@ -148,7 +148,6 @@ Meshed MeshWorker::mesh_all(const Scene& scene, Detail detail) {
       wanted.insert(*known);
       result.surfaces.push_back(known->second);
     }
-    result.faulty_surface = 0;
     make_solids(result);
   } catch (const Abandoned&) {
     throw;

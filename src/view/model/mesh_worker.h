@@ -47,7 +47,7 @@ struct Meshed {
   /// One per surface of the scene; none if there is an error.
   std::vector<std::shared_ptr<const SightedMesh>> surfaces;
   std::optional<Error> error;
-  std::size_t faulty_surface = 0;  ///< the surface that has the error
+  std::size_t faulty_surface = 0;  ///< the surface that has the error; past the last: none has
   bool preview = false;            ///< a coarse mesh; the real one follows
   double milliseconds = 0;         ///< of meshing
 };

@@ -72,6 +72,7 @@ bool has_moving_numbers(const Scene& scene) {
 Model::Model(ViewerSetup setup, std::function<void()> wake)
     : scene_(std::move(setup.scene)),
       reload_(std::move(setup.reload)),
+      file_(std::move(setup.file)),
       threads_(setup.threads),
       worker_(setup.tessellate ? setup.tessellate : tessellate_for_picture(setup.threads),
               std::move(wake)) {
@@ -130,16 +131,28 @@ void Model::resize(const dvec2& size) {
   refine_at_ = Clock::now() + kRest;
 }
 
+/// A file that cannot be read now is passing news; a mistake in one that can be stands until it is
+/// mended.
 void Model::reload() {
   if (!reload_) return;
+  std::error_code ignored;
+  if (!file_.empty() && !std::filesystem::exists(file_, ignored)) {
+    news_ = "there is no " + file_.string() + " any more: its scene stays here, and S saves it";
+    return;
+  }
   try {
     Scene scene = reload_();
     scene.camera = scene_.camera;
     record("", true);
     take_place(std::move(scene));
   } catch (...) {
-    error_ = caught_error();
-    faulty_surface_ = scene_.surfaces.size();
+    const Error error = caught_error();
+    if (error.status() == Status::Machine) {
+      news_ = error.what();
+      return;
+    }
+    error_ = error;
+    faulty_.reset();
   }
 }
 
@@ -194,9 +207,10 @@ void Model::take_place(Scene scene) {
   request_meshes(Manner::PreviewFirst);
 }
 
-void Model::open(Scene scene, std::function<Scene()> reload) {
+void Model::open(Scene scene, std::function<Scene()> reload, std::filesystem::path file) {
   record("", true);
   reload_ = std::move(reload);
+  file_ = std::move(file);
   view_.lights = {};
   view_.table_up = scene.camera.up;
   view_.playing = false;
@@ -267,7 +281,7 @@ void Model::request_meshes(Manner manner) {
     scene_ = resolve(scene_);
   } catch (...) {
     error_ = caught_error();
-    faulty_surface_ = scene_.surfaces.size();
+    faulty_.reset();
     return;
   }
   // Seen from elsewhere, but not closely, meshes stay as they are.
@@ -286,7 +300,10 @@ bool Model::take_result() {
   if (!result) return false;
   requested_ = Clock::now();  // others may be in the making already
   error_ = result->error;
-  faulty_surface_ = result->faulty_surface;
+  faulty_.reset();
+  if (error_ && result->faulty_surface < result->scene.surfaces.size()) {
+    faulty_ = {result->faulty_surface, result->scene.surfaces[result->faulty_surface].name};
+  }
   if (!error_) show(std::move(*result));
   return true;
 }

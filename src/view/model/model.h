@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -28,12 +29,19 @@ struct ViewerSetup {
   Scene scene;
   bool start = false;             ///< begin with the start page
   std::function<Scene()> reload;  ///< the scene anew, from where it came from; empty: from nowhere
+  std::filesystem::path file;     ///< that reload() reads; empty: none
   std::filesystem::path watched;  ///< reload when this file changes; empty: do not
   unsigned threads = 0;           ///< of meshing; 0: all
   bool quiet = false;             ///< show no warnings
   bool verbose = false;           ///< say at the end what it took
   std::filesystem::path program = "/proc/self/exe";  ///< writes files beside the window
   Tessellate tessellate = {};  ///< for tests, in place of tessellate_for_picture()
+};
+
+/// The object that an error is about: its place among surfaces, then curves, then points.
+struct FaultyObject {
+  std::size_t place;
+  std::string name;
 };
 
 class Model {
@@ -52,7 +60,8 @@ class Model {
   const std::vector<std::shared_ptr<const SightedMesh>>& meshes() const { return good_.surfaces; }
   const Meshed& last_good() const { return good_; }
   const std::optional<Error>& error() const { return error_; }
-  std::size_t faulty_surface() const { return faulty_surface_; }
+  /// That has the error; nothing: it is about no object, or there is none.
+  const std::optional<FaultyObject>& faulty() const { return faulty_; }
   const std::optional<PickedPoint>& picked() const { return picked_; }
   ToleranceValue tolerance() const;  ///< of the mesh
   bool is_meshing() const { return worker_.is_busy(); }
@@ -81,8 +90,8 @@ class Model {
   void end_edit();
   void undo();
   void redo();
-  /// In place of the scene. `reload` as in ViewerSetup.
-  void open(Scene scene, std::function<Scene()> reload);
+  /// In place of the scene. `reload` and `file` as in ViewerSetup.
+  void open(Scene scene, std::function<Scene()> reload, std::filesystem::path file = {});
   const History& history() const { return history_; }
   /// The scene from where it came from, the camera as it is; its error, if it has one, is kept.
   void reload();
@@ -138,13 +147,14 @@ class Model {
   Scene scene_;
   ViewState view_;
   std::function<Scene()> reload_;
+  std::filesystem::path file_;
   unsigned threads_;
   std::optional<FramedCamera> framed_;  ///< by frame()
   bool is_edited_ = false;              ///< since the last end of an edit
   History history_;
   Meshed good_;  // the last one without an error
   std::optional<Error> error_;
-  std::size_t faulty_surface_ = 0;
+  std::optional<FaultyObject> faulty_;
   std::optional<PickedPoint> picked_;
   std::optional<std::string> news_;
   Bounds bounds_;  ///< of the meshes

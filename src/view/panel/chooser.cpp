@@ -114,7 +114,8 @@ void Chooser::show(double left, bool is_confirmed) {
   const float width = std::min(kWidth * letter, screen.x - 2 * letter);
   const float middle = (static_cast<float>(left) + screen.x) / 2;
   if (is_new_ && !ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
-  ImGui::SetNextWindowPos({std::max(letter, middle - width / 2), 2 * letter});
+  const float most = std::max(letter, screen.x - letter - width);  // within the window
+  ImGui::SetNextWindowPos({std::clamp(middle - width / 2, letter, most), 2 * letter});
   ImGui::SetNextWindowSize({width, std::min(kHeight * letter, screen.y - 4 * letter)});
   is_open_ = ImGui::BeginPopup(kName, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
   if (!is_open_) return;

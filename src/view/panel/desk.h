@@ -29,6 +29,10 @@ struct Desk {
   bool is_wrong(const std::string& name) const {
     return model.error() && model.error()->place().name == name;
   }
+  /// The same of an object at this place among surfaces, then curves, then points.
+  bool is_wrong(const std::string& name, std::size_t place) const {
+    return is_wrong(name) && model.faulty() && model.faulty()->place == place;
+  }
 };
 
 }  // namespace saddle

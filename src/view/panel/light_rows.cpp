@@ -70,6 +70,13 @@ void show_spot(Desk& desk, const LightRow& row, const Light& light) {
   if (!is_soft) return;
   number_field(desk, "inner", what + "inner",
                [&](Scene& scene) -> Number& { return *row.in(scene).spot->inner; });
+  using Falloff = Spot::Falloff;
+  const std::string falloff = light.spot->falloff == Falloff::Smooth ? "smooth" : "linear";
+  if (const auto other = word_field("falloff", falloff, {"linear", "smooth"})) {
+    edit_light(desk, row, "spot: falloff", [&](Light& l) {
+      l.spot->falloff = *other == "smooth" ? Falloff::Smooth : Falloff::Linear;
+    });
+  }
 }
 
 void show_attenuation(Desk& desk, const LightRow& row, const Light& light) {

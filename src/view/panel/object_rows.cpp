@@ -120,10 +120,9 @@ void range_field(Desk& desk, const std::string& name, const std::string& what, b
 
 void show_surface(Desk& desk, std::size_t i) {
   const SurfaceSpec spec = desk.scene().surfaces[i];
-  const bool is_faulty = i == desk.model.faulty_surface();
   const auto formula = [&](const std::string& name, std::string SurfaceSpec::*text) {
     if (is_parameter(spec, name)) return;
-    const auto changed = text_field(name, spec.*text, is_faulty && desk.is_wrong(name));
+    const auto changed = text_field(name, spec.*text, desk.is_wrong(name, i));
     if (!changed) return;
     desk.edit(spec.name + name, [&](Scene& scene) { scene.surfaces[i].*text = *changed; });
   };
@@ -135,7 +134,7 @@ void show_surface(Desk& desk, std::size_t i) {
     formula("z", &SurfaceSpec::z);
   }
   const auto range = [&](const std::string& name, Range SurfaceSpec::*ends) {
-    range_field(desk, name, spec.name + name, is_faulty && desk.is_wrong(name),
+    range_field(desk, name, spec.name + name, desk.is_wrong(name, i),
                 [i, ends](Scene& scene) -> Range& { return scene.surfaces[i].*ends; });
   };
   range(spec.parameters[0], &SurfaceSpec::u);
@@ -165,13 +164,14 @@ std::string surface_of(const std::string& place) {
 
 void show_curve(Desk& desk, std::size_t i) {
   const CurveSpec curve = desk.scene().curves[i];
+  const std::size_t place = desk.scene().surfaces.size() + i;
   const auto formula = [&](const char* name, auto text) {
-    const auto changed = text_field(name, curve.*text, desk.is_wrong(name));
+    const auto changed = text_field(name, curve.*text, desk.is_wrong(name, place));
     if (!changed) return;
     desk.edit(curve.name + name, [&](Scene& scene) { scene.curves[i].*text = *changed; });
   };
-  if (const auto place = place_field(desk, curve)) {
-    return desk.edit("", [&](Scene& scene) { put_on(scene, scene.curves[i], surface_of(*place)); });
+  if (const auto on = place_field(desk, curve)) {
+    return desk.edit("", [&](Scene& scene) { put_on(scene, scene.curves[i], surface_of(*on)); });
   }
   if (is_on_surface(curve)) {
     formula("u", &CurveSpec::u);
@@ -183,7 +183,7 @@ void show_curve(Desk& desk, std::size_t i) {
     formula("y", &CurveSpec::y);
     formula("z", &CurveSpec::z);
   }
-  range_field(desk, "s", curve.name + "s", desk.is_wrong("s"),
+  range_field(desk, "s", curve.name + "s", desk.is_wrong("s", place),
               [i](Scene& scene) -> Range& { return scene.curves[i].s; });
   if (!more()) return;
   nodes_field(
@@ -193,13 +193,14 @@ void show_curve(Desk& desk, std::size_t i) {
 
 void show_point(Desk& desk, std::size_t i) {
   const PointSpec point = desk.scene().points[i];
+  const std::size_t place = desk.scene().surfaces.size() + desk.scene().curves.size() + i;
   const auto on_surface = [&](const char* name, std::string PointSpec::*text) {
-    const auto changed = text_field(name, point.*text, desk.is_wrong(name));
+    const auto changed = text_field(name, point.*text, desk.is_wrong(name, place));
     if (!changed) return;
     desk.edit(point.name + name, [&](Scene& scene) { scene.points[i].*text = *changed; });
   };
-  if (const auto place = place_field(desk, point)) {
-    return desk.edit("", [&](Scene& scene) { put_on(scene, scene.points[i], surface_of(*place)); });
+  if (const auto on = place_field(desk, point)) {
+    return desk.edit("", [&](Scene& scene) { put_on(scene, scene.points[i], surface_of(*on)); });
   }
   if (is_on_surface(point)) {
     on_surface("u", &PointSpec::u);

@@ -86,6 +86,13 @@ std::string hint_of(const Option& option) {
   return usual.empty() && is_of_scene ? "the scene's" : usual;
 }
 
+/// The words to choose from; first none, where the key can be without one.
+std::vector<std::string> words_of(const Option& option, const SlotIn& slot_in, Scene scene) {
+  std::vector<std::string> words = choices(option);
+  if (!words.empty() && clear_slot(slot_in(scene))) words.insert(words.begin(), "");
+  return words;
+}
+
 }  // namespace
 
 void option_field(Desk& desk, const Option& option, const std::string& owner,
@@ -100,7 +107,7 @@ void option_field(Desk& desk, const Option& option, const std::string& owner,
   }
   if (!has_text(slot)) return;
   const std::string before = text_in(slot);
-  const std::vector<std::string> words = choices(option);
+  const std::vector<std::string> words = words_of(option, slot_in, desk.scene());
   const std::string hint = hint_of(option);
   const auto text = words.empty() ? text_field(name, before, desk.is_wrong(name), hint)
                                   : word_field(name, before, words, hint);

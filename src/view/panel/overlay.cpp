@@ -4,6 +4,8 @@
 
 #include <imgui.h>
 
+#include "view/panel/widgets.h"
+
 namespace saddle {
 namespace {
 
@@ -45,7 +47,7 @@ void show_text(const char* id, const std::string& text, const ImVec2& place, con
     const float share = size.y > height ? std::min(height / size.y, width / size.x) : 1;
     ImGui::SetWindowFontScale(std::clamp(share, kSmallest, 1.0F));
     ImGui::PushTextWrapPos(width);
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextUnformatted(beginning_of(text).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
   }

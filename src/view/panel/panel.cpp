@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 #include <imgui.h>
@@ -76,6 +77,13 @@ void add_buttons(Desk& desk) {
   }
 }
 
+/// The object that has the scene's error, where there are several.
+std::string owner_of_error(const Model& model) {
+  const Scene& scene = model.scene();
+  const bool is_alone = scene.surfaces.size() + scene.curves.size() + scene.points.size() == 1;
+  return model.faulty() && !is_alone ? model.faulty()->name : "";
+}
+
 }  // namespace
 
 /// Tells the mistake, and the definition that would mend it.
@@ -90,7 +98,7 @@ void Panel::show_errors(Desk& desk) const {
   if (name && ImGui::SmallButton(("make a slider for " + *name).c_str())) {
     desk.edit("", [&](Scene& scene) { add_parameter(scene, *name); });
   }
-  show_error(*error);
+  show_error(*error, desk.refused ? "" : owner_of_error(desk.model));
   ImGui::EndChild();
 }
 
@@ -107,6 +115,11 @@ void Panel::show_new_definition(Desk& desk) {
     Scene scene = desk.scene();
     refused_.reset();
     try {
+      const std::size_t end = new_definition_.size();
+      if (new_definition_.find('=') == std::string::npos) {
+        throw Error(Status::Input, "the = is missing", {"", new_definition_, {end, end}},
+                    "for example k = 2, or f(s) = s^2");
+      }
       assign(scene, new_definition_);
       desk.model.edit(std::move(scene), "");
       new_definition_.clear();
@@ -153,6 +166,17 @@ void Panel::show_time(Desk& desk) const {
   ImGui::PopID();
 }
 
+/// The facts of the picked point; scrolled to once, where the list is longer than the window.
+void Panel::show_point(const Model& model) {
+  if (!model.picked()) return;
+  ImGui::BeginGroup();
+  show_picked(model);
+  ImGui::EndGroup();
+  if (std::exchange(reveals_picked_, false)) {
+    ImGui::ScrollToItem(ImGuiScrollFlags_KeepVisibleEdgeY);
+  }
+}
+
 void Panel::show_list(Desk& desk, const Figures& figures) {
   if (std::exchange(enters_, false)) enter_next_field();
   show_surfaces(desk);
@@ -163,7 +187,7 @@ void Panel::show_list(Desk& desk, const Figures& figures) {
   show_parameters(desk);
   show_new_definition(desk);
   show_time(desk);
-  show_picked(desk.model);
+  show_point(desk.model);
   if (header("Lights")) {
     show_lights(desk);
     if (ImGui::SmallButton("+ light")) desk.action = Action::AddLight;

@@ -31,6 +31,9 @@ class Panel {
   /// The first field gets the keyboard.
   void enter() { enters_ = true; }
 
+  /// The facts of the picked point are scrolled to.
+  void reveal_picked() { reveals_picked_ = true; }
+
   /// Something was changed that the picture shows, since the last call.
   bool take_change() { return std::exchange(changed_, false); }
 
@@ -41,6 +44,7 @@ class Panel {
   void show_list(Desk& desk, const Figures& figures);
   void show_new_definition(Desk& desk);
   void show_time(Desk& desk) const;
+  void show_point(const Model& model);
   void show_errors(Desk& desk) const;
   float errors_height(const Desk& desk) const;
 
@@ -51,6 +55,7 @@ class Panel {
   bool changed_ = false;
   bool is_confirmed_ = false;  ///< Return was pressed since the last frame
   bool enters_ = false;
+  bool reveals_picked_ = false;
   bool was_refused_ = false;  ///< a text that is no value of its field, in the last frame
   std::string new_definition_;
   std::optional<Error> refused_;  ///< why the new definition cannot be

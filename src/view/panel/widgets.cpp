@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -39,6 +40,18 @@ bool is_inside_letter(char byte) {
   return (static_cast<unsigned char>(byte) & kTopBits) == 0x80;
 }
 
+/// The line of a text that a place begins in, as if it were the text.
+Place in_its_line(const Place& place) {
+  const std::string& text = place.text;
+  const std::size_t at = std::min(place.span.begin, text.size());
+  const std::size_t before = at > 0 ? text.rfind('\n', at - 1) : std::string::npos;
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  const std::size_t end = std::min(text.find('\n', at), text.size());
+  return {place.name,
+          text.substr(begin, end - begin),
+          {at - begin, std::clamp(place.span.end, at, end) - begin}};
+}
+
 /// The last letters before `end`.
 std::string before_place(const std::string& text, std::size_t end) {
   std::size_t begin = end - std::min(end, kAround);
@@ -54,7 +67,8 @@ std::string behind_place(const std::string& text, std::size_t begin) {
 }
 
 /// The part of the text that is wrong, underlined, with a little around it.
-void show_place(const Place& place) {
+void show_place(const Place& in_all) {
+  const Place place = in_its_line(in_all);
   const std::string& text = place.text;
   if (text.empty()) return;
   const std::size_t begin = std::min(place.span.begin, text.size());
@@ -125,6 +139,15 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& c, float r, ImU32 colo
   }
 }
 
+/// Hints of an error but for commands, of which a window has none.
+Hint hints_of(const Error& error) {
+  Hint hints;
+  for (const std::string& line : error.hint_lines()) {
+    if (!line.starts_with("saddle ")) hints.add(line);
+  }
+  return hints;
+}
+
 float icon_side() {
   return ImGui::GetFontSize() + 2;
 }
@@ -134,7 +157,7 @@ float icon_side() {
 void show_wrapped(Tone tone, const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, color_of(tone));
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextUnformatted(beginning_of(text).c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }
@@ -184,7 +207,8 @@ std::optional<std::string> word_field(const std::string& label, const std::strin
   if (word.empty()) ImGui::PopStyleColor();
   if (is_open) {
     for (const std::string& each : words) {
-      if (ImGui::Selectable(each.c_str(), each == word)) chosen = each;
+      const std::string& seen = each.empty() ? hint : each;
+      if (ImGui::Selectable(seen.c_str(), each == word)) chosen = each;
     }
     ImGui::EndCombo();
   }
@@ -241,13 +265,21 @@ bool fold_row(const std::string& name, int icons, bool is_open_at_first) {
   return is_open;
 }
 
-void show_error(const Error& error) {
+void show_error(const Error& error, const std::string& owner) {
   const Place& place = error.place();
   show_place(place);
+  std::string about = place.where.empty() ? owner : place.where;
   // Where there is no text to show, the name tells what is wrong.
-  const bool needs_name = place.text.empty() && !place.name.empty();
-  show_wrapped(Tone::Wrong, (needs_name ? place.name + ": " : "") + error.what());
-  if (!error.hint().empty()) show_wrapped(Tone::Quiet, error.hint());
+  if (place.text.empty() && !place.name.empty()) about += (about.empty() ? "" : " ") + place.name;
+  show_wrapped(Tone::Wrong, (about.empty() ? "" : about + ": ") + error.what());
+  for (const std::string& line : hints_of(error)) show_wrapped(Tone::Quiet, line);
+}
+
+std::string window_text(const Error& error) {
+  const std::string text =
+      format_error(Error(error.status(), error.what(), error.place(), hints_of(error)));
+  constexpr std::string_view kProgram = "saddle: ";
+  return text.starts_with(kProgram) ? text.substr(kProgram.size()) : text;
 }
 
 std::string shortened(const std::string& text, float width) {
@@ -257,6 +289,14 @@ std::string shortened(const std::string& text, float width) {
   ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), room, 0, text.data(),
                                   text.data() + text.size(), &end);
   return std::string(text.data(), end) + kRest;
+}
+
+std::string beginning_of(const std::string& text) {
+  constexpr std::size_t kMostBytes = 4000;
+  if (text.size() <= kMostBytes) return text;
+  std::size_t end = kMostBytes;
+  while (end > 0 && is_inside_letter(text[end])) --end;
+  return text.substr(0, end) + kRest;
 }
 
 std::string for_panel(const std::string& sentence) {
@@ -281,7 +321,7 @@ void show_tip(const std::string& text, TipPlace place) {
   }
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(20 * ImGui::GetFontSize());
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextUnformatted(beginning_of(text).c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }

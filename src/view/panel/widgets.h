@@ -26,7 +26,7 @@ std::optional<std::string> text_field(const std::string& label, const std::strin
 std::optional<std::string> bare_field(const char* id, const std::string& text, float letters,
                                       bool wrong = false);
 
-/// One of some words; what it was changed to. The hint is shown where there is none.
+/// One of some words; what it was changed to. The hint stands for an empty one.
 std::optional<std::string> word_field(const std::string& label, const std::string& word,
                                       const std::vector<std::string>& words,
                                       const std::string& hint = "");
@@ -48,11 +48,20 @@ void show_name(const std::string& name);
 /// have room behind it.
 bool fold_row(const std::string& name, int icons, bool is_open_at_first = false);
 
-/// The wrong part of the error's text, the message and the hint.
-void show_error(const Error& error);
+/// The wrong part of the error's text, the message and the hint. `owner`: the object that it is
+/// about, where there are several.
+void show_error(const Error& error, const std::string& owner = "");
+
+/// All of an error as lines of text, in the words of a window: without the program's name, and
+/// without hints that are commands.
+std::string window_text(const Error& error);
 
 /// A text, with "…" in place of what is wider than so many pixels.
 std::string shortened(const std::string& text, float width);
+
+/// A text that is wrapped, without what is beyond some screens full; "…" stands for it. The toolkit
+/// ends the process above 16 000 letters.
+std::string beginning_of(const std::string& text);
 
 /// A sentence with the panel's fields in place of the command line's options: "clip off" for
 /// "--clip off".

@@ -29,8 +29,7 @@ constexpr int kLargestPart = 256;
 constexpr double kSlowPartMs = 16;
 constexpr double kQuickPartMs = 6;
 
-/// draw() returns after this time, and has something to show after that one.
-constexpr std::chrono::milliseconds kTurn{8};
+/// draw() has something to show after this time.
 constexpr std::chrono::milliseconds kShowEvery{250};
 
 /// Length of the normals shown, as a share of the surface's size.

@@ -16,6 +16,10 @@
 
 namespace saddle {
 
+/// A step of drawing a picture, and of copying it to the window: a key may wait for it. Both count
+/// from where the step begins, which has one turn for them together.
+inline constexpr std::chrono::milliseconds kTurn{8};
+
 /// The cost of drawing.
 struct Figures {
   std::size_t frames = 0;             ///< pictures drawn so far

@@ -9,6 +9,7 @@
 #include "base/format.h"
 #include "base/standard_streams.h"
 #include "view/panel/fields.h"
+#include "view/panel/widgets.h"
 #include "view/window/display_end.h"
 
 namespace saddle {
@@ -30,10 +31,6 @@ constexpr int kSettlingFrames = 3;
 constexpr int kFramesToEnter = 4;
 
 constexpr std::chrono::seconds kMessageTime{4};
-
-/// Copying a picture to the window goes on in the next step if a step has taken so long: a key may
-/// wait.
-constexpr std::chrono::milliseconds kTurn{8};
 
 double seconds_until(Clock::time_point time) {
   return std::max(0.0, std::chrono::duration<double>(time - Clock::now()).count());
@@ -231,7 +228,9 @@ void Viewer::press(const Event& event) {
   const dvec2 pixel = in_picture(event.place);
   if (!event.twice) return hand_.press(model_, pixel, event.button, event.shift);
   model_.pick(pixel);
-  if (model_.picked()) print_lines(std::array{describe(*model_.picked())});
+  if (!model_.picked()) return;
+  panel_.reveal_picked();
+  print_lines(std::array{describe(*model_.picked())});
 }
 
 /// Escape closes the uppermost thing alone; a field keeps the keyboard after Return.
@@ -267,7 +266,10 @@ void Viewer::look_at_file() {
   if (watched_.empty() || Clock::now() < looked_ + kLook) return;
   looked_ = Clock::now();
   const auto written = last_write(watched_);
-  if (written == written_) return;
+  // An editor that puts another file in its place may have removed it a moment ago.
+  const bool is_gone = written == std::filesystem::file_time_type::min();
+  const bool was_gone = std::exchange(was_gone_, is_gone);
+  if (written == written_ || (is_gone && !was_gone)) return;
   written_ = written;
   model_.reload();
   touch();
@@ -382,7 +384,7 @@ Overlay Viewer::overlay() {
   overlay.left = panel_width();
   overlay.message = message_;
   // An error that the panel shows is not shown twice.
-  if (model_.error() && !model_.view().panel) overlay.message = format_error(*model_.error());
+  if (model_.error() && !model_.view().panel) overlay.message = window_text(*model_.error());
   if (help_shown_) overlay.help = key_help();
   const auto& picked = model_.picked();
   if (!picked || start_shown_) return overlay;

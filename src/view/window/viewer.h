@@ -85,7 +85,7 @@ class Viewer {
   void list_files();
   void list_exports();
   void write_file(const Export& file);
-  void show_scene(Scene scene, std::function<Scene()> reload);
+  void show_scene(Scene scene, std::function<Scene()> reload, std::filesystem::path file = {});
   void open(const std::filesystem::path& path);
   void restore_work();
   void keep_work(bool now);
@@ -112,6 +112,7 @@ class Viewer {
   bool verbose_;
   std::filesystem::path watched_;
   std::filesystem::file_time_type written_;  ///< when that file was, as far as is known
+  bool was_gone_ = false;                    ///< it was not there at the last look
   Clock::time_point looked_;
   std::function<void()> display_gone_;  ///< outlives the window
   Window window_;

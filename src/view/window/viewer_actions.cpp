@@ -11,6 +11,7 @@
 #include "scene/toml/scene_file.h"
 #include "view/model/files.h"
 #include "view/panel/fields.h"
+#include "view/panel/widgets.h"
 #include "view/window/viewer.h"
 
 namespace saddle {
@@ -19,6 +20,16 @@ namespace {
 /// The size of the start page's pictures, in pixels of the user's.
 constexpr double kThumbnailWidth = 132;
 constexpr double kThumbnailHeight = 99;
+
+/// A scene with a mistake is written as it is, but opened only once that is mended.
+bool can_be_opened(const std::filesystem::path& file) {
+  try {
+    load_scene(file);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
 
 std::string key_and_help(const ActionRow& row) {
   const std::string key = row.key;
@@ -95,8 +106,12 @@ bool Viewer::act_on_files(Action action) {
       return true;
     case Action::SaveScene: {
       const auto path = save_scene(model_.scene_to_save());
-      say("saved " + path.string());
       session_.remember_file(path);
+      if (!can_be_opened(path)) {
+        say("saved " + path.string() + " with its mistake: it stays unsaved work, too");
+        return true;
+      }
+      say("saved " + path.string());
       kept_ = saved_ = model_.history().version();
       session_.forget_work();
       return true;
@@ -212,8 +227,8 @@ void Viewer::write_file(const Export& file) {
 // --- scenes
 
 /// In place of the one that is shown, which undo() brings back.
-void Viewer::show_scene(Scene scene, std::function<Scene()> reload) {
-  model_.open(std::move(scene), std::move(reload));
+void Viewer::show_scene(Scene scene, std::function<Scene()> reload, std::filesystem::path file) {
+  model_.open(std::move(scene), std::move(reload), std::move(file));
   kept_ = saved_ = model_.history().version();
   start_shown_ = help_shown_ = is_typing_ = false;
   drawing_.change_with_meshes();
@@ -224,14 +239,18 @@ void Viewer::show_scene(Scene scene, std::function<Scene()> reload) {
 void Viewer::open(const std::filesystem::path& path) {
   try {
     const auto whole = std::filesystem::absolute(path);
-    if (std::filesystem::exists(whole) && !std::filesystem::is_regular_file(whole)) {
+    if (!std::filesystem::exists(whole)) {
+      throw Error(Status::Input, "there is no file " + whole.string());
+    }
+    if (!std::filesystem::is_regular_file(whole)) {
       throw Error(Status::Input, whole.string() + " is no file");  // such as /dev/zero, without end
     }
-    show_scene(load_scene(whole), [whole] { return load_scene(whole); });
+    show_scene(
+        load_scene(whole), [whole] { return load_scene(whole); }, whole);
     session_.remember_file(whole);
     if (!watched_.empty()) watched_ = whole;
   } catch (...) {
-    say(format_error(caught_error()));
+    say(window_text(caught_error()));
   }
 }
 

@@ -200,7 +200,9 @@ void Window::listen_to_keys() {
     Event event;
     event.kind = Event::Kind::Character;
     event.code = static_cast<int>(code);
-    if (code > ' ' && code < 0x7F) event.key = static_cast<char>(code);
+    // A key that is held down types, but does nothing twice: it would save many files.
+    const bool is_key = code > ' ' && code < 0x7F && !of(w).is_repeated_;
+    if (is_key) event.key = static_cast<char>(code);
     of(w).receive_here(event);
   });
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
@@ -208,6 +210,7 @@ void Window::listen_to_keys() {
     event.kind = action == GLFW_RELEASE ? Event::Kind::KeyUp : Event::Kind::KeyDown;
     event.code = key;
     event.mods = mods;
+    of(w).is_repeated_ = action == GLFW_REPEAT;
     if (action == GLFW_PRESS) event.key = name_of_key(key, mods);
     of(w).receive_here(event);
   });

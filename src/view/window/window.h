@@ -85,6 +85,7 @@ class Window {
   std::deque<Event> events_;
   dvec2 pointer_{0, 0};  ///< where events have brought it; GLFW tells where it is by now
   bool is_inside_ = false;
+  bool is_repeated_ = false;       ///< the last key, which is held down
   std::array<int, 4> windowed_{};  ///< place and size, while the window is the screen
   bool damaged_ = true;
   std::string drawn_panel_;  ///< what end_panel() has drawn, as bytes

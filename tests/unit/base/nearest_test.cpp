@@ -35,6 +35,15 @@ TEST(NearestName, CountsALetterThatWasLeftOutHalf) {
   EXPECT_EQ(nearest_name("foo", Names{"folder"}), kNone);
 }
 
+TEST(NearestName, IsNoneOfATextOfAMegabyteWithoutLookingAtAllOfIt) {
+  // Letter by letter these would be compared for an hour.
+  const Names names = {"sin", std::string(300'000, 'a')};
+  EXPECT_EQ(nearest_name(std::string(1'000'000, 'a'), names), kNone);
+  std::string words;
+  for (int i = 0; i < 100; ++i) words += "sinus-";
+  EXPECT_TRUE(similar_names(words, names).empty());
+}
+
 TEST(NearestName, IgnoresCase) {
   EXPECT_EQ(nearest_name("SIN", Names{"cos", "sin"}), "sin");
   EXPECT_EQ(nearest_name("catmul", Names{"Catmull"}), "Catmull");

@@ -1,5 +1,6 @@
 // Where ticks, labels and bars are, without a picture.
 #include "render/overlay/annotations.h"
+#include "render/overlay/label_writer.h"
 
 #include <gtest/gtest.h>
 
@@ -190,6 +191,11 @@ TEST(Axes, HaveATitleHoweverLongItIs) {
   EXPECT_EQ(annotate(scene, fitted(scene, bounds), bounds, {}, kSize).unknown, "");
   scene.title = "\u6f22 x \u5b57\u6f22";
   EXPECT_EQ(annotate(scene, fitted(scene, bounds), bounds, {}, kSize).unknown, "\u6f22\u5b57");
+}
+
+TEST(Axes, LookAtNoMoreOfATextThanAnyPictureHasRoomFor) {
+  EXPECT_LE(one_line(std::string(1'000'000, 'a')).size(), 16384U);
+  EXPECT_EQ(one_line("a\nb"), "a b");
 }
 
 TEST(Axes, HaveNoNumbersWithoutWhatTheseLeaveOut) {
