@@ -35,10 +35,10 @@ constexpr int kFeaturePeriod = 4;
 /// only validation finds, as of waves that fit into a cell.
 constexpr double kFirst = 0.875;
 
-/// In tolerances: leaves with a jump are halved if they are farther off. Edges of sheets are
-/// measured on three lines across them: where two jumps cross in between, that misses up to a
-/// quarter of the distance.
-constexpr double kAimAtJumps = 0.8;
+/// In tolerances: leaves with a jump, or with a strip or gap that is thinner than they are, are
+/// halved if they are farther off. Their edges are measured on a few lines across them: where two
+/// jumps cross in between, that misses up to a quarter of the distance.
+constexpr double kAimOnLines = 0.8;
 
 /// Which of the grid's lines are drawn, so that their chords are visible.
 std::vector<std::uint8_t> seen_lines(std::span<const double> lines, std::span<const double> drawn) {
@@ -397,9 +397,10 @@ std::vector<Leaf> AdaptiveMesher::halve_failed() {
     const bool is_cut = leaf.state.is_cut_by_feature();
     const bool is_cut_anew = is_cut && tree_.revisions().has_changed(leaf, halved_);
     if (leaf.validated_at <= halved_ && !is_cut_anew) continue;
-    if (mesh_.is_near(k) && !is_cut && !validation_.is_turned(k)) continue;
-    const double distance_ratio =
-        mesh_.error_ratio(k) / (has_cut(FeatureKind::Jump, leaf, tree_) ? kAimAtJumps : 1);
+    const bool is_on_lines =
+        has_thin_vertex(leaf, tree_) || (is_cut && has_cut(FeatureKind::Jump, leaf, tree_));
+    if (mesh_.is_near(k) && !is_cut && !is_on_lines && !validation_.is_turned(k)) continue;
+    const double distance_ratio = mesh_.error_ratio(k) / (is_on_lines ? kAimOnLines : 1);
     const double normal_ratio = normal_error_ratio(k);
     if (!(distance_ratio > 1) && !(normal_ratio > 1) && !direction_.is_cut_unclearly(k)) continue;
     if (is_cut && leave_out_if_small(k)) continue;
