@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,9 @@ class Faults : public ProgramTest {
     std::ofstream(file) << "#!/bin/sh\n" << script << "\n";
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);
   }
-  Outcome run_with_programs(const Words& words) const {
-    return run_saddle(words, folder_, "", [this] {
+  Outcome run_with_programs(const Words& words, const std::function<void()>& limit = {}) const {
+    return run_saddle(words, folder_, "", [&] {
+      if (limit) limit();
       const std::string path = programs_.path().string() + ":" + std::getenv("PATH");
       setenv("PATH", path.c_str(), 1);
     });
@@ -100,6 +102,19 @@ TEST_F(Faults, AnFfmpegThatWritesNothingReplacesNothing) {
     std::ofstream(path(name)) << "old";
     const std::string said = error_of(run_with_programs(film({"-o", name})), 1);
     EXPECT_TRUE(contains(said, "ffmpeg failed: it has written nothing")) << said;
+    EXPECT_EQ(read_file(path(name)), "old");
+  }
+}
+
+TEST_F(Faults, AnFfmpegThatFindsNoRoomForTheEndReplacesNothing) {
+  put_program("ffmpeg", R"(cat >/dev/null; for last; do :; done; printf %1000s a >"$last")");
+  for (const std::string name : {"a.mp4", "a.gif"}) {
+    std::ofstream(path(name)) << "old";
+    const Outcome run = run_with_programs(film({"-o", name}), [] {
+      const rlimit limit{1000, 1000};
+      setrlimit(RLIMIT_FSIZE, &limit);
+    });
+    EXPECT_TRUE(contains(error_of(run, 1), "ffmpeg failed: File too large")) << run.err;
     EXPECT_EQ(read_file(path(name)), "old");
   }
 }

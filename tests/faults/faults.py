@@ -1,11 +1,13 @@
 #!/usr/bin/python3 -B
-"""Faults on purpose: system calls that fail, signals, too little memory and too few threads, random
-command lines, and input that would take for ever. Nothing may be lost, left behind, silent or
-without a bound. ./dev faults runs it whole; `--short` is the part that ./dev test has.
+"""Faults on purpose: system calls that fail, signals, full disks, too little memory and too few
+threads, a display that goes, random command lines, and input that would take for ever. Nothing may
+be lost, left behind, silent or without a bound. ./dev faults runs it whole; `--short` is the part that ./dev test has.
 
 usage: faults.py SADDLE [--short] [--seed N] [--count N] [--only PART]..."""
 import argparse
 import concurrent.futures
+import contextlib
+import itertools
 import os
 import pathlib
 import random
@@ -36,6 +38,9 @@ CALLS = {"openat": "EMFILE", "write": "ENOSPC", "fsync": "EIO", "rename": "EACCE
 SIGNALS = ["TERM", "INT", "HUP", "QUIT", "KILL"]
 FILMS = ["a.gif", "a.mp4"]
 KILLED = ["a.png", "a.ply", "a.glb", "a.html", "a.svg", *FILMS]
+# A chart has measured times in it, so that no two are the same: how each begins and ends.
+CHARTS = {"chart.svg": (b"<?xml", b"</svg>\n\n"), "chart.csv": (b"panel,", b"\n")}
+PAGE = 4096  # bytes: what a file in memory takes at a time
 LOADER_STATUS = 127  # of the dynamic linker, before there is a program
 
 
@@ -50,9 +55,10 @@ def ticks(pid):
 
 class Run:
     """A command that has ended: status (negative: a signal), err, processor seconds, bytes. `end`:
-    a signal, and the seconds after which it is sent."""
+    a call that ends it, of its process, and the seconds after which it is made. `output`: the file
+    that standard output goes to."""
 
-    def __init__(self, words, folder, limit=None, environment=None, end=None):
+    def __init__(self, words, folder, limit=None, environment=None, end=None, output=None):
         def prepare():
             for stop in (signal.SIGINT, signal.SIGHUP, signal.SIGQUIT):
                 signal.signal(stop, signal.SIG_DFL)
@@ -64,13 +70,16 @@ class Run:
         env = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
         env.update(environment or {})
         self.words = [str(word) for word in words]
-        with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
+        with open(output, "wb") if output else tempfile.TemporaryFile() as out, \
+                tempfile.TemporaryFile() as err:
             child = subprocess.Popen(self.words, cwd=folder, stdin=subprocess.DEVNULL, stdout=out,
                                      stderr=err, preexec_fn=prepare, env=env)
             self.status, usage = self.wait(child, end)
-            out.seek(0)
             err.seek(0)
-            self.out = out.read().decode(errors="replace")
+            self.out = ""
+            if not output:
+                out.seek(0)
+                self.out = out.read().decode(errors="replace")
             self.err = err.read().decode(errors="replace")
         self.seconds = usage.ru_utime + usage.ru_stime
         self.bytes = usage.ru_maxrss * 1024
@@ -80,7 +89,7 @@ class Run:
         worked, last_work = 0, begin
         while time.monotonic() < last_work + HANG:
             if end and time.monotonic() >= begin + end[1]:
-                os.kill(child.pid, end[0])  # send_signal() would wait for it
+                end[0](child.pid)
                 end = None
             pid, status, usage = os.wait4(child.pid, os.WNOHANG)
             if pid:
@@ -127,13 +136,15 @@ class Faults:
         return (folder / "a.png").read_bytes()
 
     def wrong_picture(self, run, folder, whole, statuses, may_be_silent=False, name="a.png"):
-        """What is wrong with a run that was to replace the file `name`, which was b"old"."""
+        """What is wrong with a run that was to replace the file `name`, which was b"old". `whole`:
+        the new file, or whether bytes are one."""
         if run.status not in statuses:
             return f"status {run.status}: {run.err[-300:]}"
-        content = (folder / name).read_bytes() if (folder / name).exists() else None
-        if content not in (b"old", whole):
+        content = (folder / name).read_bytes() if (folder / name).exists() else b""
+        is_new = whole(content) if callable(whole) else content == whole
+        if content != b"old" and not is_new:
             return f"{name} is neither the old nor the new one"
-        if run.status == 0 and content != whole:
+        if run.status == 0 and not is_new:
             return "status 0, and the old file is there"
         if run.status == 1 and not run.err.strip() and not may_be_silent:
             return "status 1 without a word"
@@ -171,7 +182,58 @@ class Faults:
             for n in range(1, min(count, tried if name == "clone3" else count) + 1, step):
                 yield name, n
 
-    # --- the six parts ---------------------------------------------------------------------------
+    @contextlib.contextmanager
+    def small_disk(self, pages):
+        """A folder with room for so many pages."""
+        folder = self.folder()
+        subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={pages * PAGE},nr_inodes=100", "tmpfs",
+                        folder], check=True)
+        try:
+            yield folder
+        finally:
+            subprocess.run(["umount", "--lazy", folder], check=True)
+
+    def can_mount(self):
+        try:
+            with self.small_disk(1):
+                return True
+        except (OSError, subprocess.CalledProcessError):
+            return False
+
+    @contextlib.contextmanager
+    def display(self):
+        """An X server of its own, and its name."""
+        numbers, number = os.pipe()
+        server = subprocess.Popen(["Xvfb", "-displayfd", str(number), "-screen", "0", "1000x700x24",
+                                   "-nolisten", "tcp"], pass_fds=[number],
+                                  stderr=subprocess.DEVNULL)
+        os.close(number)
+        try:
+            with open(numbers, encoding="ascii") as lines:
+                yield server, ":" + lines.readline().strip()
+        finally:
+            server.kill()
+            server.wait()
+
+    def small_outputs(self):
+        """Words of a small run for each kind of output, and the files."""
+        small = [self.saddle, "z=sin(3*u+t)", "-s", "64x64", "-q"]
+        words = {name: [*small, *(["--frames", "8"] if name in FILMS else []), "-o", name]
+                 for name in KILLED}
+        wholes = {}
+        for name in KILLED:
+            folder = self.folder()
+            run = Run(words[name], folder)
+            if run.status != 0:
+                sys.exit(f"the program does not run: {run.err}")
+            wholes[name] = (folder / name).read_bytes()
+        for name, (begin, end) in CHARTS.items():
+            words[name] = [self.saddle, "chart", "z=u*v", "-s", "16x16", "-q", "-o", name]
+            wholes[name] = lambda content, begin=begin, end=end: \
+                content.startswith(begin) and content.endswith(end)
+        return words, wholes
+
+    # --- the eight parts ---------------------------------------------------------------------------
 
     def calls(self):
         """Each system call fails once."""
@@ -221,36 +283,105 @@ class Faults:
     def kills(self):
         """Signals at random moments, for each kind of output."""
         source = random.Random(self.seed)
-        small = [self.saddle, "z=sin(3*u+t)", "-s", "64x64", "-q"]
-        words = {name: [*small, *(["--frames", "8"] if name in FILMS else []), "-o", name]
-                 for name in KILLED}
-        wholes = {}
-        for name in KILLED:
-            folder = self.folder()
+        words, wholes = self.small_outputs()
+        seconds = {}
+        for name in KILLED if self.short else [*KILLED, *CHARTS]:
             begin = time.monotonic()
-            run = Run(words[name], folder)
-            if run.status != 0:
-                self.failures.append(("kills", name, run.err))
-                return
-            wholes[name] = ((folder / name).read_bytes(), time.monotonic() - begin)
+            Run(words[name], self.folder())
+            seconds[name] = time.monotonic() - begin
 
         def check(case):
             name, kind, share = case
-            whole, seconds = wholes[name]
             number = getattr(signal, "SIG" + kind)
             folder = self.folder()
             (folder / name).write_bytes(b"old")
-            run = Run(words[name], folder, end=(number, share * seconds))
+            run = Run(words[name], folder,
+                      end=(lambda pid: os.kill(pid, number), share * seconds[name]))
             left = [path for path in folder.iterdir() if LEFTOVER.search(path.name)]
             if kind == "KILL" and left:  # the next run removes it
                 run_again = Run(words[name], folder)
                 if run_again.status != 0:
                     return run_again.err
-            return self.wrong_picture(run, folder, whole, (0, -number), name=name)
+            return self.wrong_picture(run, folder, wholes[name], (0, -number), name=name)
 
-        cases = ((source.choice(KILLED), source.choice(SIGNALS), 1.2 * source.random())
-                 for _ in range(self.count or (14 if self.short else 140)))
-        self.all("kills", check, cases)
+        def cases(names, count):
+            return [(source.choice(names), source.choice(SIGNALS), 1.2 * source.random())
+                    for _ in range(count)]
+
+        count = self.count or (14 if self.short else 140)
+        self.all("kills", check, cases(KILLED, count))
+        if not self.short:
+            self.all("killed charts", check, cases(list(CHARTS), (count + 9) // 10))
+
+    def disk(self):
+        """Disks with too little room, and a standard output that takes nothing."""
+        words, wholes = self.small_outputs()
+        tried = (0.5,) if self.short else (0, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 1.5)
+
+        def told(run):
+            words_of_it = ("No space left", "is full")
+            said = run.status == 0 or any(word in run.err for word in words_of_it)
+            return None if said else run.err[-300:]
+
+        def output(case):
+            name, share = case
+            # The old file has a page; a new one stands beside it until it is whole.
+            with self.small_disk(2 + int(share * len(wholes[name]) / PAGE)) as folder:
+                (folder / name).write_bytes(b"old")
+                run = Run(words[name], folder)
+                return self.wrong_picture(run, folder, wholes[name], (0, 1), name=name) or told(run)
+
+        def temporary(case):
+            name, pages = case
+            folder = self.folder()
+            (folder / name).write_bytes(b"old")
+            with self.small_disk(pages) as small:
+                run = Run(words[name], folder, environment={"TMPDIR": str(small)})
+                left = [path.name for path in small.iterdir()]
+                return self.wrong_picture(run, folder, wholes[name], (0, 1), name=name) or \
+                    told(run) or left or None
+
+        def stream(name):
+            folder = self.folder()
+            run = Run([*words[name][:-1], "-", "--format", name.partition(".")[2]], folder,
+                      output="/dev/full")
+            return f"status {run.status}" if run.status != 1 else told(run)
+
+        if self.can_mount():
+            self.all("full disks", output, itertools.product(KILLED, tried))
+            cases = [(name, 1 + int(share * len(wholes[name]) / PAGE))
+                     for name in FILMS for share in tried]
+            self.all("full folders of temporaries", temporary,
+                     cases + ([] if self.short else [("chart.svg", 1), ("chart.svg", 11)]))
+        self.all("full streams", stream, KILLED)
+
+    def window(self):
+        """The display goes, or a signal comes, at random moments of a window."""
+        source = random.Random(self.seed)
+        if not shutil.which("Xvfb"):
+            print("window: left out, there is no Xvfb")
+            return
+
+        def check(case):
+            kind, seconds = case
+            folder = self.folder()
+            with self.display() as (server, name):
+                end = server.kill if kind == "display" else None
+                run = Run([self.saddle, "torus"], folder,
+                          environment={"DISPLAY": name, "XDG_STATE_HOME": str(folder),
+                                       "LIBGL_ALWAYS_SOFTWARE": "1"},
+                          end=(lambda pid: end() if end else os.kill(pid, getattr(signal, "SIG" + kind)), seconds))
+            if kind == "display" and (run.status != 1 or "display" not in run.err):
+                return f"status {run.status}: {run.err[-300:]}"
+            if kind != "display" and run.status != -getattr(signal, "SIG" + kind):
+                return f"status {run.status}: {run.err[-300:]}"
+            left = [path.name for path in folder.iterdir()]
+            return f"left behind: {left}" if left else None
+
+        count = self.count or (2 if self.short else 20)
+        kinds = ["display", *SIGNALS]
+        self.all("windows", check, [(kinds[i % len(kinds)], 3 * source.random())
+                                    for i in range(count)])
 
     def limits(self):
         """Too little memory, too few threads."""
@@ -397,7 +528,7 @@ class Faults:
         return None if len(contents) == 1 else f"{len(contents)} different files"
 
 
-PARTS = ["calls", "signals", "kills", "limits", "words", "corpus"]
+PARTS = ["calls", "signals", "kills", "disk", "limits", "window", "words", "corpus"]
 
 
 def main():
@@ -405,7 +536,7 @@ def main():
     parser.add_argument("saddle")
     parser.add_argument("--short", action="store_true", help="the part that ./dev test has")
     parser.add_argument("--seed", type=int, default=1, help="of the random cases")
-    parser.add_argument("--count", type=int, help="of the random cases: of kills and of words")
+    parser.add_argument("--count", type=int, help="of the random cases: of kills, windows and words")
     parser.add_argument("--only", action="append", choices=PARTS)
     options = parser.parse_args()
     faults = Faults(options)
