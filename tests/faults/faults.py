@@ -34,7 +34,17 @@ CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 
 # The calls that a run makes itself, and errors that the system may give for them.
 CALLS = {"openat": "EMFILE", "write": "ENOSPC", "fsync": "EIO", "rename": "EACCES",
-         "close": "EIO", "clone3": "EAGAIN", "flock": "ENOLCK", "unlink": "EPERM"}
+         "close": "EIO", "clone3": "EAGAIN", "flock": "ENOLCK", "unlink": "EPERM", "read": "EIO",
+         "mmap": "ENOMEM", "newfstatat": "EIO", "getdents64": "EIO", "fchmod": "EPERM",
+         "lseek": "EIO", "getrandom": "EAGAIN", "sched_getaffinity": "EPERM"}
+# LLVM's code for pictures and Mesa's threads do not survive that mprotect fails alone. Nor does
+# glibc that brk does, or the first mmap, of the dynamic linker.
+MESH_CALLS = {**CALLS, "mprotect": "ENOMEM"}
+FIRST = {"mmap": 2}
+# Those that a film makes besides: with another program at the end of a pipe.
+FILM_CALLS = {"pipe2": "EMFILE", "vfork": "EAGAIN", "waitid": "EINTR", "wait4": "EINTR",
+              "dup2": "EBUSY", "ftruncate": "EIO", "pwrite64": "EIO", "write": "ENOSPC",
+              "unlink": "EPERM", "execve": "ENOENT", "fcntl": "EINVAL"}
 SIGNALS = ["TERM", "INT", "HUP", "QUIT", "KILL"]
 FILMS = ["a.gif", "a.mp4"]
 KILLED = ["a.png", "a.ply", "a.glb", "a.html", "a.svg", *FILMS]
@@ -151,17 +161,21 @@ class Faults:
         names = {p.name for p in folder.iterdir()} - {name}
         return f"left behind: {names}" if names else None
 
-    def replaced(self, prefix, limit=None):
-        folder = self.folder()
-        (folder / "a.png").write_bytes(b"old")
-        run = Run([*prefix, self.saddle, *SMALL, "-o", "a.png"], folder, limit)
-        return run, folder
+    def small_picture(self):
+        return [self.saddle, *SMALL, "-o", "a.png"]
 
-    def calls_of(self, names):
+    def replaced(self, prefix, limit=None, words=None):
+        """A run whose last word is a file that is there, and the folder."""
+        folder = self.folder()
+        words = words or self.small_picture()
+        (folder / words[-1]).write_bytes(b"old")
+        return Run([*prefix, *words], folder, limit), folder
+
+    def calls_of(self, names, words=None):
         """How often a thread of a run makes each call, at the most."""
         log = self.root / "calls"
-        Run(["strace", "-f", "-qq", "-o", log, "-e", "trace=" + ",".join(names), self.saddle,
-             *SMALL, "-o", "a.png"], self.folder())
+        Run(["strace", "-f", "-qq", "-o", log, "-e", "trace=" + ",".join(names),
+             *(words or self.small_picture())], self.folder())
         most = {}
         per_thread = {}
         for line in log.read_text(errors="replace").splitlines():
@@ -172,14 +186,15 @@ class Faults:
             most[name] = max(most.get(name, 0), count)
         return most
 
-    def injections(self, names, step):
+    def injections(self, names, step, words=None):
         # Mesa waits for ever for a thread of its own that does not start. saddle tries before it
         # whether threads do (render/gl/mesa_room.cpp), so that no limit is met in Mesa: a call that
         # fails alone, after that, comes from no limit.
         processors = len(os.sched_getaffinity(0))
         tried = 2 * min(processors, 32) + processors + 4
-        for name, count in self.calls_of(names).items():
-            for n in range(1, min(count, tried if name == "clone3" else count) + 1, step):
+        for name, count in self.calls_of(names, words).items():
+            last = min(count, tried) if name == "clone3" else count
+            for n in range(FIRST.get(name, 1), last + 1, step):
                 yield name, n
 
     @contextlib.contextmanager
@@ -238,14 +253,15 @@ class Faults:
     def calls(self):
         """Each system call fails once."""
         whole = self.reference()
+        words, wholes = self.small_outputs()
         if not self.calls_of(["fsync"]).get("fsync"):
             self.failures.append(("calls", "fsync", "no file is flushed to the disk"))
 
         def check(case):
-            name, n = case
+            output, name, n, error = case
             run, folder = self.replaced(
                 ["strace", "-f", "-qq", "-o", "/dev/null", "-e", f"trace={name}", "-e",
-                 f"inject={name}:error={CALLS[name]}:when={n}"])
+                 f"inject={name}:error={error}:when={n}"], words=words[output])
             if run.status == LOADER_STATUS:
                 return None
             if name == "unlink":  # what cannot be removed is left
@@ -253,31 +269,40 @@ class Faults:
                     if LEFTOVER.search(path.name):
                         path.unlink()
             # The message itself may be what could not be written.
-            return self.wrong_picture(run, folder, whole, (0, 1), name == "write")
+            return self.wrong_picture(run, folder, wholes[output], (0, 1), name == "write", output)
 
-        self.all("calls", check, self.injections(list(CALLS), 9 if self.short else 1))
+        cases = [(output, name, n, calls[name])
+                 for output, calls in (("a.png", CALLS), ("a.ply", MESH_CALLS),
+                                       ("a.gif", FILM_CALLS))
+                 for name, n in self.injections(list(calls), 27 if self.short else 1, words[output])]
+        self.all("calls", check, cases)
 
     def signals(self):
         """A signal at each system call."""
-        whole = self.reference()
-        names = ["openat", "write", "rename", "fsync", "flock"]
+        words, wholes = self.small_outputs()
+        names = ["openat", "write", "rename", "fsync", "flock", "close"]
+        of_films = ["write", "rename", "fsync", "flock", "unlink", "pipe2", "ftruncate"]
 
         def check(case):
-            kind, (name, n) = case
+            kind, output, name, n = case
             run, folder = self.replaced(
                 ["strace", "-f", "-qq", "-o", "/dev/null", "-e", f"trace={name}", "-e",
-                 f"inject={name}:signal={kind}:when={n}"])
-            ended = -getattr(signal, "SIG" + kind)
+                 f"inject={name}:signal={kind}:when={n}"], words=words[output])
             left = [path for path in folder.iterdir() if LEFTOVER.search(path.name)]
             if kind == "KILL" and left:  # the next run removes it
-                again = Run([self.saddle, *SMALL, "-o", "a.png"], folder)
+                again = Run(words[output], folder)
                 if again.status != 0:
                     return again.err
-            return self.wrong_picture(run, folder, whole, (0, ended)) if run.status != 0 else None
+            ended = -getattr(signal, "SIG" + kind)
+            statuses = (0, 1, ended) if output in FILMS else (0, ended)  # 1: ffmpeg was hit
+            return self.wrong_picture(run, folder, wholes[output], statuses, name=output) \
+                if run.status != 0 else None
 
-        places = list(self.injections(names, 1))
-        step = 12 if self.short else 2
-        cases = [(kind, place) for i, kind in enumerate(SIGNALS) for place in places[i::step]]
+        places = [(output, *place) for output, calls in (("a.png", names), ("a.ply", names),
+                                                         ("a.gif", of_films))
+                  for place in self.injections(calls, 1, words[output])]
+        step = 24 if self.short else 1
+        cases = [(kind, *place) for i, kind in enumerate(SIGNALS) for place in places[i::step]]
         self.all("signals", check, cases)
 
     def kills(self):
@@ -385,25 +410,30 @@ class Faults:
 
     def limits(self):
         """Too little memory, too few threads."""
-        whole = self.reference()
+        words, wholes = self.small_outputs()
 
-        def memory(mebibytes):
+        def memory(case):
+            output, mebibytes = case
+
             def limit():
                 resource.setrlimit(resource.RLIMIT_AS, (mebibytes << 20, mebibytes << 20))
 
-            run, folder = self.replaced([], limit)
-            loader = run.status == LOADER_STATUS
-            return None if loader else self.wrong_picture(run, folder, whole, (0, 1))
+            run, folder = self.replaced([], limit, words[output])
+            if run.status == LOADER_STATUS:
+                return None
+            return self.wrong_picture(run, folder, wholes[output], (0, 1), name=output)
 
-        def data(mebibytes):
-            folder = self.folder()
-            (folder / "a.png").write_bytes(b"old")
-            run = Run([self.saddle, *SMALL, "-o", "a.png", "--max-memory", f"{mebibytes}MiB"],
-                      folder)
-            return self.wrong_picture(run, folder, whole, (0, 1))
+        def data(case):
+            output, mebibytes = case
+            command, *rest = words[output]
+            # A mesh that was refined less is another one: with a warning, and so not written.
+            limits = ["--max-memory", f"{mebibytes}MiB", "--strict"]
+            run, folder = self.replaced([], None, [command, *limits, *rest])
+            return self.wrong_picture(run, folder, wholes[output], (0, 1, 2), name=output)
 
-        def threads(count):
-            user = 1_000_000 + os.getpid() * 100 + count
+        def threads(case):
+            output, count = case
+            user = 1_000_000 + os.getpid() * 1000 + 100 * KILLED.index(output) + count
 
             def limit():
                 resource.setrlimit(resource.RLIMIT_NPROC, (count, count))
@@ -412,17 +442,22 @@ class Faults:
 
             folder = self.folder()
             os.chmod(self.root, 0o755)
-            (folder / "a.png").write_bytes(b"old")
+            (folder / output).write_bytes(b"old")
             os.chown(folder, user, user)
-            os.chown(folder / "a.png", user, user)
-            run = Run([self.saddle, *SMALL, "-o", "a.png"], folder, limit)
-            return self.wrong_picture(run, folder, whole, (0, 1))
+            os.chown(folder / output, user, user)
+            run = Run(words[output], folder, limit)
+            return self.wrong_picture(run, folder, wholes[output], (0, 1), name=output)
 
-        step = 40 if self.short else 6
-        self.all("address space", memory, range(200, 520, step))
-        self.all("--max-memory", data, range(64, 400, step))
+        step = 40 if self.short else 4
+        both = ["a.png", "a.ply"]
+        spaces = [*itertools.product(both, range(40, 560, step)),
+                  *itertools.product(["a.gif"], range(200, 700, 5 * step))]
+        self.all("address space", memory, spaces)
+        self.all("--max-memory", data, itertools.product(both, range(64, 400, step + 2)))
         if os.geteuid() == 0:
-            self.all("threads", threads, range(2, 17, 6 if self.short else 1))
+            outputs = ["a.png"] if self.short else ["a.png", "a.ply", *FILMS]
+            self.all("threads", threads,
+                     itertools.product(outputs, range(2, 17, 6 if self.short else 1)))
 
     def words(self):
         """Random command lines."""
