@@ -54,6 +54,11 @@ PAGE = 4096  # bytes: what a file in memory takes at a time
 LOADER_STATUS = 127  # of the dynamic linker, before there is a program
 
 
+def seconds_of_children():
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 def ticks(pid):
     """Processor time of a process and of the children that it has waited for."""
     try:
@@ -581,7 +586,9 @@ def main():
             if part in ("calls", "signals") and not shutil.which("strace"):
                 print(f"{part}: left out, there is no strace")
                 continue
+            before = seconds_of_children()
             getattr(faults, part)()
+            print(f"{part}: {seconds_of_children() - before:.0f} s of a processor", flush=True)
     finally:
         shutil.rmtree(faults.root)
     for part, case, wrong in faults.failures:
