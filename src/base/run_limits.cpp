@@ -82,10 +82,14 @@ std::uint64_t usual_memory_limit() {
   return std::min(machine, container_memory()) / 2;
 }
 
+bool system_refuses_memory() {
+  return SADDLE_SANITIZED == 0;
+}
+
 void limit_memory(std::uint64_t bytes) {
   most_memory = bytes;
   rlimit limit{};
-  if (SADDLE_SANITIZED != 0 || getrlimit(RLIMIT_DATA, &limit) != 0) return;
+  if (!system_refuses_memory() || getrlimit(RLIMIT_DATA, &limit) != 0) return;
   limit.rlim_cur = std::min<rlim_t>({bytes, limit.rlim_cur, limit.rlim_max});
   setrlimit(RLIMIT_DATA, &limit);
   most_memory = limit.rlim_cur;

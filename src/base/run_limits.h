@@ -19,6 +19,9 @@ std::uint64_t usual_memory_limit();
 /// once, at the start.
 void limit_memory(std::uint64_t bytes);
 
+/// Whether limit_memory() does more than stop refinement: not where a sanitizer needs addresses.
+bool system_refuses_memory();
+
 /// From now on.
 void limit_time(double seconds);
 

@@ -158,6 +158,13 @@ std::string temporary_folder() {
   return named == nullptr || *named == '\0' ? "/tmp" : named;
 }
 
+/// Why the file takes no more blocks, if it does not: errno, or 0.
+int refusal_of_more(int descriptor, const struct stat& info) {
+  const bool takes = pwrite(descriptor, "", 1, info.st_size + info.st_blksize) == 1;
+  const int reason = takes ? 0 : errno;
+  return ftruncate(descriptor, info.st_size) == 0 ? reason : errno;
+}
+
 }  // namespace
 
 // The name is registered before the file exists and forgotten after it is gone: a signal at any
@@ -206,8 +213,13 @@ void UnnamedFile::check_written(const std::string& name,
   try {
     finish();
     struct stat info {};
-    if (fstat(descriptor_, &info) == 0 && info.st_size > 0) return;
-    throw Error(Status::Machine, name + " failed: it has written nothing");
+    if (fstat(descriptor_, &info) != 0 || info.st_size == 0) {
+      throw Error(Status::Machine, name + " failed: it has written nothing");
+    }
+    // gnuplot, and ffmpeg at times, succeed by their own word where the last bytes had no room.
+    if (const int reason = refusal_of_more(descriptor_, info)) {
+      throw Error(Status::Machine, name + " failed: " + std::strerror(reason));
+    }
   } catch (const Error& error) {
     // A file system that is full refuses the next block.
     struct statvfs space {};

@@ -53,7 +53,8 @@ class UnnamedFile {
   /// The name that a process which inherits the descriptor can open.
   std::string path() const { return "/dev/fd/" + std::to_string(descriptor_); }
   /// Waits by `finish` for the program `name` that writes to it. Throws Error (Machine) if it has
-  /// written nothing, and what `finish` throws; if the file system is full, with a word about that.
+  /// written nothing or the file system takes no more, as the end may be missing then, and what
+  /// `finish` throws; if the file system is full, with a word about that.
   void check_written(const std::string& name, const std::function<void()>& finish) const;
   /// All that is in it. Throws Error (Machine) if it cannot be read.
   void copy_to(std::ostream& out) const;

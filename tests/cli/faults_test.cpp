@@ -8,10 +8,12 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "base/file.h"
+#include "base/run_limits.h"
 #include "cli/program.h"
 
 namespace saddle {
@@ -27,8 +29,9 @@ class Faults : public ProgramTest {
     std::ofstream(file) << "#!/bin/sh\n" << script << "\n";
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);
   }
-  Outcome run_with_programs(const Words& words) const {
-    return run_saddle(words, folder_, "", [this] {
+  Outcome run_with_programs(const Words& words, const std::function<void()>& limit = {}) const {
+    return run_saddle(words, folder_, "", [&] {
+      if (limit) limit();
       const std::string path = programs_.path().string() + ":" + std::getenv("PATH");
       setenv("PATH", path.c_str(), 1);
     });
@@ -104,6 +107,19 @@ TEST_F(Faults, AnFfmpegThatWritesNothingReplacesNothing) {
   }
 }
 
+TEST_F(Faults, AnFfmpegThatFindsNoRoomForTheEndReplacesNothing) {
+  put_program("ffmpeg", R"(cat >/dev/null; for last; do :; done; printf %1000s a >"$last")");
+  for (const std::string name : {"a.mp4", "a.gif"}) {
+    std::ofstream(path(name)) << "old";
+    const Outcome run = run_with_programs(film({"-o", name}), [] {
+      const rlimit limit{1000, 1000};
+      setrlimit(RLIMIT_FSIZE, &limit);
+    });
+    EXPECT_TRUE(contains(error_of(run, 1), "ffmpeg failed: File too large")) << run.err;
+    EXPECT_EQ(read_file(path(name)), "old");
+  }
+}
+
 TEST_F(Faults, AnFfmpegThatFloodsDoesNoHarm) {
   put_program("ffmpeg", "yes | head -c 300000000 >&2; echo last words >&2; exit 1");
   const std::string said = error_of(run_with_programs(film({"-o", "a.mp4"})), 1);
@@ -160,6 +176,11 @@ TEST_F(Faults, ScenesAreReadInATimeLikeTheirLength) {
     const Outcome run = run_within(10, {name, "-q", "-s", "16x16", "-o", "a.png"});
     EXPECT_EQ(run.status, 0) << name << run.err;
   }
+  std::ofstream mesh(path("lines.obj"));
+  for (int i = 0; i < 600'000; ++i) mesh << "# scene # nothing\n";
+  mesh.close();
+  const Outcome run = run_within(10, {"lines.obj", "-o", "a.png"});
+  EXPECT_TRUE(contains(error_of(run, 2), "a scene file of more than 4 MiB")) << run.err;
 }
 
 TEST_F(Faults, ScenesAreRefusedThatWouldTakeForEver) {
@@ -198,6 +219,7 @@ TEST_F(Faults, SeeThroughLayersAreBounded) {
 }
 
 TEST_F(Faults, MemoryIsRefusedWithAWordOfHowMuch) {
+  if (!system_refuses_memory()) GTEST_SKIP() << "a sanitizer takes more addresses than that";
   const Outcome run =
       saddle({"torus", "--samples", "4096x4096", "--max-memory", "500MB", "-o", "a.ply"});
   EXPECT_EQ(run.status, 1);

@@ -171,6 +171,8 @@ def corpus(short):
         Case("a grid of 4096x4096", ["torus", "--grid", "4096x4096", "-o", "a.png"], statuses=(2,),
              says="1024x1024", seconds=2),
         Case("12,000 transforms in a line", DRAW, scene(lambda: one_line(12000)), seconds=5),
+        Case("a million lines of a scene in a mesh", ["e.obj", "-o", "a.png"],
+             lambda: {"e.obj": "# scene # nothing\n" * 10 ** 6}, statuses=(2,), seconds=5),
         Case("10,000 chained params", DRAW, scene(lambda: chained(10000)), seconds=5),
     ]
     if short:

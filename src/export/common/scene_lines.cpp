@@ -57,7 +57,11 @@ std::optional<std::string> scene_in_lines(std::string_view text, std::string_vie
     std::string_view line = take_line(text);
     line.remove_prefix(comment.size());
     if (line.starts_with(kBeginning)) {
-      result = result.value_or("") + (result ? "\n" : "");
+      if (result) {
+        *result += '\n';
+      } else {
+        result.emplace();
+      }
       *result += line.substr(kBeginning.size());
     } else if (result && line.starts_with(kContinued)) {
       *result += line.substr(kContinued.size());

@@ -72,7 +72,8 @@ Words webm_encoder(Alpha alpha) {
   return with_bt709(std::move(words), {"-f", "webm"});
 }
 
-const Words kProgram = {kName, "-nostdin", "-hide_banner", "-loglevel", "error"};
+/// With -xerror a file whose end cannot be written is a failure, too.
+const Words kProgram = {kName, "-nostdin", "-hide_banner", "-loglevel", "error", "-xerror"};
 
 /// Frames from the pipe.
 Words raw_frames(const VideoOptions& options) {

@@ -91,6 +91,8 @@ TEST(SimilarNames, ShareAPart) {
   EXPECT_EQ(similar_names("a-surface", Names{"a-plane"}), Names{}) << "a short part says nothing";
   const Names five = {"klein-amber", "klein-brown", "klein-coral", "klein-drab", "klein-ebony"};
   EXPECT_EQ(similar_names("klein", five), Names(five.begin(), five.begin() + 4));
+  const Names cases = {"AZURE-tile", "azure-tube"};
+  EXPECT_EQ(similar_names("azure-surface", cases), cases) << "all letters, from A to Z";
   EXPECT_EQ(did_you_mean(Names{}), "");
   EXPECT_EQ(did_you_mean(Names{"a", "b", "c"}), "did you mean 'a', 'b' or 'c'?");
 }

@@ -127,6 +127,41 @@ TEST(Enclosure, IsThatOfTheBoxHoweverManyRangesCameBefore) {
   }
 }
 
+TEST(Enclosure, TellsRangesApartThatShareAnEnd) {
+  Graph graph;
+  const std::array roots = {testing::parse(graph, "exp(u)+v"), testing::parse(graph, "exp(v)*u")};
+  const Tape tape = compile(graph, roots);
+  Enclosure enclosure(tape);
+  const auto expect_fresh = [&](const Interval& u, const Interval& v) {
+    std::array<Interval, 2> kept;
+    std::array<Interval, 2> fresh;
+    enclosure(u, v, kept);
+    enclose(tape, u, v, fresh);
+    for (std::size_t i = 0; i < fresh.size(); ++i)
+      expect_exact(kept[i], fresh[i].low, fresh[i].high);
+  };
+  // As many as are kept share each place, one after the other and turn about.
+  for (int k = 1; k < 3000; ++k) {
+    const double x = k / 1024.0;
+    expect_fresh({0, x}, {-x, 3});
+    if (k % 3 == 0) expect_fresh({-x, 3}, {0, x});
+  }
+}
+
+TEST(Enclosure, TellsItsStepsAndSkipsThoseOfOtherOutputs) {
+  Graph graph;
+  const std::array roots = {testing::parse(graph, "u+v"), testing::parse(graph, "u*v"),
+                            testing::parse(graph, "erf(u)+gamma(v)+erf(u*v)"),
+                            testing::parse(graph, "u-3*v")};
+  const Tape tape = compile(graph, roots);
+  const std::size_t sum = Enclosure(tape, 1).steps();
+  EXPECT_EQ(sum, 1U);
+  EXPECT_EQ(Enclosure(tape, 2).steps(), 2U);
+  const std::size_t with_special = Enclosure(tape, 3).steps();
+  EXPECT_EQ(with_special, 2 + 3 * 30 + 2) << "each of the three like 30 sums";
+  EXPECT_EQ(Enclosure(tape).steps(), with_special + 2);
+}
+
 TEST(Enclosure, OfTheFirstOutputsAloneIsTheSame) {
   Graph graph;
   const std::array roots = {testing::parse(graph, "sin(u)+cos(u)*v"), testing::parse(graph, "u"),

@@ -148,7 +148,6 @@ TEST(Assignments, RefuseNamesThatAreNone) {
   EXPECT_EQ(assign_error("z= ").place().name, "z");
   EXPECT_EQ(assign_error("=3").status(), Status::Input);
   EXPECT_EQ(assign_error("f(s=3").status(), Status::Input);
-  EXPECT_EQ(assign_error("no assignment").status(), Status::Input);
 }
 
 TEST(Assignments, KeepCoordinatesAndParametersFromBeingFunctions) {
