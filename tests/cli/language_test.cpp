@@ -61,7 +61,7 @@ TEST_F(LanguageRuns, HaveTheNormalOfTheFormulaInTheShader) {
 
 TEST_F(LanguageRuns, AreChecked) {
   const Outcome root = saddle(with({"check"}, kFormulas[1]));
-  EXPECT_TRUE(contains(root.out, "jumps       u = -0.98")) << root.out;
+  EXPECT_TRUE(contains(root.out, "jumps       u = -0.99")) << root.out;
   EXPECT_TRUE(contains(root.out, "u = 0, v = -2:2")) << root.out;
   // A cut that ends, and goes on further away.
   const Outcome arcsine = saddle({"check", "z=im(asin(u+i*v))", "u=-3:3", "v=-2:2"});

@@ -20,8 +20,9 @@ namespace {
 
 constexpr int kWidth = 160;
 constexpr int kHeight = 120;
-/// Points that cover a tenth of a pixel: the tips of sheets may be narrower than its samples.
-constexpr int kCovers = 40;
+/// Points that cover a quarter of a pixel of a level sheet: its samples are as far apart, and the
+/// tips of sheets are narrower.
+constexpr int kCovers = 180;
 
 struct Sheets {
   std::string z;
