@@ -88,8 +88,12 @@ class Run:
         with open(output, "wb") if output else tempfile.TemporaryFile() as out, \
                 tempfile.TemporaryFile() as err:
             child = subprocess.Popen(self.words, cwd=folder, stdin=subprocess.DEVNULL, stdout=out,
-                                     stderr=err, preexec_fn=prepare, env=env)
-            self.status, usage = self.wait(child, end)
+                                     stderr=err, preexec_fn=prepare, env=env, process_group=0)
+            try:
+                self.status, usage = self.wait(child, end)
+            except BaseException:
+                os.killpg(child.pid, signal.SIGKILL)
+                raise
             err.seek(0)
             self.out = ""
             if not output:
@@ -113,7 +117,7 @@ class Run:
             if ticks(child.pid) > worked:
                 worked, last_work = ticks(child.pid), time.monotonic()
             time.sleep(0.01 if not end else 0.001)
-        child.kill()
+        os.killpg(child.pid, signal.SIGKILL)  # strace and what it runs
         _, _, usage = os.wait4(child.pid, 0)
         child.returncode = -9
         return "hangs", usage
