@@ -166,8 +166,12 @@ Predicted predict(const Grid& grid, std::span<const Triangle> triangles, const d
                   const SurfacePoint& point, bool flip) {
   if (triangles.empty() || !is_finite(point.position)) return {0, uv};
   const auto normal = unit_normal(point, safe_length(point.r_u), safe_length(point.r_v), flip);
-  if (!normal) return {0, uv};
-  const dvec3 p = grid.local_scale * point.position;
+  return normal ? predict(grid, triangles, uv, point.position, *normal) : Predicted{0, uv};
+}
+
+Predicted predict(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
+                  const dvec3& position, const dvec3& normal) {
+  const dvec3 p = grid.local_scale * position;
   const Triangle* nearest = triangle_below(grid, triangles, uv).triangle;
   Nearest on_own = nearest_on(grid, *nearest, p);
   for (const Triangle& t : triangles) {
@@ -184,8 +188,8 @@ Predicted predict(const Grid& grid, std::span<const Triangle> triangles, const d
   const auto& n = grid.mesh.normal;
   const StepShape shape =
       step_shape(loop_vector(to_second), loop_vector(to_third), loop_vector(n[own[1]] - n[own[0]]),
-                 loop_vector(n[own[2]] - n[own[0]]), loop_vector(*normal));
-  const double facing = glm::dot(*normal, glm::cross(to_second, to_third));
+                 loop_vector(n[own[2]] - n[own[0]]), loop_vector(normal));
+  const double facing = glm::dot(normal, glm::cross(to_second, to_third));
   const double above = glm::dot(p - corner, glm::cross(to_second, to_third));
   const NewtonStep step =
       newton_step_from(shape, above * facing < 0 ? -on_own.distance : on_own.distance,

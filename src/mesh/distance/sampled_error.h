@@ -51,6 +51,9 @@ struct Predicted {
 /// nearest one. The distance is 0 if the point has no regular normal.
 Predicted predict(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                   const SurfacePoint& point, bool flip);
+/// The same for a position and its unit normal; there is a triangle.
+Predicted predict(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
+                  const dvec3& position, const dvec3& normal);
 
 /// Whether the surface at (u, v), which is at `position`, and the triangles there are within the
 /// clip box. Without triangles, none are.

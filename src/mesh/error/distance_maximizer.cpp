@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesh/model/tolerances.h"
+#include "mesh/tree/cell_tree.h"
 
 namespace saddle {
 
@@ -14,6 +15,9 @@ namespace {
 constexpr double kLeastShare = 0.95;
 constexpr double kDiffers = 1.1;
 constexpr double kLeastShareOfDiffering = 0.75;
+/// In tolerances: climbs begin at the centres of leaves whose estimate is larger. Beside others the
+/// surface would have to rise by two thirds.
+constexpr double kFarCentre = 0.6;
 /// Evaluations of a place at most; the first is where the climb starts.
 constexpr int kMostSteps = 5;
 
@@ -24,6 +28,21 @@ bool may_be_missed(const ValidatedMesh& mesh, std::size_t leaf, double predicted
   const double share = std::min(std::clamp(kMatters * known, kLeastShare, 1.0),
                                 std::max(kDiffers * known, kLeastShareOfDiffering));
   return mesh.error_ratio(leaf) <= 1 && predicted > share * mesh.allowed[leaf];
+}
+
+std::optional<dvec2> missed_from_centre(const ValidatedMesh& mesh, std::size_t leaf,
+                                        std::span<const Triangle> triangles, const Grid& grid,
+                                        const CellTree& tree) {
+  const std::uint32_t centre = mesh.leaves[leaf].samples.centre;
+  if (mesh.leaves[leaf].known_error < kFarCentre || !tree.geometry().is_regular(centre))
+    return std::nullopt;
+  const Mesh& of = grid.mesh;
+  for (const Triangle& t : triangles) {
+    const Predicted predicted =
+        predict(grid, std::span(&t, 1), of.uv[centre], of.position[centre], of.normal[centre]);
+    if (may_be_missed(mesh, leaf, predicted.distance)) return of.uv[centre];
+  }
+  return std::nullopt;
 }
 
 /// Moves on to a predicted place that is farther from the surface; half of the way back else.

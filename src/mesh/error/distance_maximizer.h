@@ -11,9 +11,17 @@
 
 namespace saddle {
 
+class CellTree;
+
 /// Whether a leaf within its tolerance may be above it where `predicted` is predicted: above 1.02
 /// times the error estimate, that threshold clamped to 0.95 to 1 tolerances.
 bool may_be_missed(const ValidatedMesh& mesh, std::size_t leaf, double predicted);
+
+/// The centre of a whole leaf if the surface may be farther from one of its triangles beside it.
+/// Its samples are known, so that this takes no evaluation.
+std::optional<dvec2> missed_from_centre(const ValidatedMesh& mesh, std::size_t leaf,
+                                        std::span<const Triangle> triangles, const Grid& grid,
+                                        const CellTree& tree);
 
 class DistanceMaximizer {
  public:

@@ -130,6 +130,8 @@ std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
         continue;
       }
       mesh.sampled_errors[leaf] = sampled_errors[i]->worst;
+      if (const auto centre = missed_from_centre(mesh, leaf, triangles.of(number), grid_, tree_))
+        maxima.add(leaf, triangles.of(number), *centre);
       if (!may_be_missed(mesh, leaf, sampled_errors[i]->predicted)) continue;
       for (const dvec2& part : plain[i].places) {
         maxima.add(leaf, triangles.of(number), glm::mix(plain[i].low, plain[i].high, part));
