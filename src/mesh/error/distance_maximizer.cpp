@@ -11,10 +11,8 @@ namespace {
 
 /// A predicted distance is evaluated above the tolerance, or above 0.95 of it where it matters
 /// beside the error estimate. On a smooth surface, prediction and estimate are right to a few per
-/// cent. Where they differ by a tenth, neither may be right: there 0.75 is enough.
+/// cent.
 constexpr double kLeastShare = 0.95;
-constexpr double kDiffers = 1.1;
-constexpr double kLeastShareOfDiffering = 0.75;
 /// In tolerances: climbs begin at the centres of leaves whose estimate is larger. Beside others the
 /// surface would have to rise by two thirds.
 constexpr double kFarCentre = 0.6;
@@ -25,8 +23,7 @@ constexpr int kMostSteps = 5;
 
 bool may_be_missed(const ValidatedMesh& mesh, std::size_t leaf, double predicted) {
   const double known = mesh.leaves[leaf].known_error;
-  const double share = std::min(std::clamp(kMatters * known, kLeastShare, 1.0),
-                                std::max(kDiffers * known, kLeastShareOfDiffering));
+  const double share = std::clamp(kMatters * known, kLeastShare, 1.0);
   return mesh.error_ratio(leaf) <= 1 && predicted > share * mesh.allowed[leaf];
 }
 
