@@ -31,18 +31,26 @@ struct Ray {
   dvec2 rim() const { return undefined * way; }
 };
 
-/// Evaluates the surface at share(ray) of each ray.
+/// Evaluates the surface at share(ray) of each ray that share() gives a place for.
 template <class Share>
 void look(const Surface& surface, unsigned threads, Share share, std::vector<Ray>& rays) {
+  std::vector<std::size_t> numbers;
+  std::vector<double> shares;
   std::vector<dvec2> uv;
-  for (const Ray& ray : rays) uv.push_back(ray.from + share(ray) * ray.way);
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const std::optional<double> at = share(rays[k]);
+    if (!at) continue;
+    numbers.push_back(k);
+    shares.push_back(*at);
+    uv.push_back(rays[k].from + *at * rays[k].way);
+  }
   const std::vector<dvec3> points = evaluate_positions(surface, uv, threads);
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    const double at = share(rays[i]);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    Ray& ray = rays[numbers[i]];
     if (is_finite(points[i])) {
-      rays[i].defined = at;
+      ray.defined = shares[i];
     } else {
-      rays[i].undefined = at;
+      ray.undefined = shares[i];
     }
   }
 }
@@ -68,7 +76,9 @@ std::vector<Ray> rays_from(const Surface& surface, std::span<const dvec2> places
       rays.push_back({place, share_in(domain, place, way * reach) * way * reach, 0, {}});
   }
   for (const double share : shares) {
-    const auto next = [share](const Ray& ray) { return ray.defined.value_or(share); };
+    const auto next = [share](const Ray& ray) {
+      return ray.defined ? std::nullopt : std::optional(share);
+    };
     look(surface, threads, next, rays);
   }
   return rays;
@@ -79,7 +89,7 @@ std::vector<Ray> rays_to_rim(const Surface& surface, std::span<const dvec2> plac
                              const dvec2& reach, unsigned threads) {
   std::vector<Ray> rays = rays_from(surface, places, reach, kShares, threads);
   const auto middle = [](const Ray& ray) {
-    return ray.defined ? 0.5 * (ray.undefined + *ray.defined) : ray.undefined;
+    return ray.defined ? std::optional(0.5 * (ray.undefined + *ray.defined)) : std::nullopt;
   };
   for (int k = 0; k < kHalvingsToRim; ++k) look(surface, threads, middle, rays);
   return rays;
