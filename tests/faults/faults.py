@@ -1,7 +1,8 @@
 #!/usr/bin/python3 -B
 """Faults on purpose: system calls that fail, signals, full disks, too little memory and too few
 threads, a display that goes, random command lines, and input that would take for ever. Nothing may
-be lost, left behind, silent or without a bound. ./dev faults runs it whole; `--short` is the part that ./dev test has.
+be lost, left behind, silent or without a bound. ./dev faults runs it whole; `--short` is the part
+that ./dev test has.
 
 usage: faults.py SADDLE [--short] [--seed N] [--count N] [--only PART]..."""
 import argparse
@@ -398,16 +399,16 @@ class Faults:
 
         def check(case):
             kind, seconds = case
+            number = None if kind == "display" else getattr(signal, "SIG" + kind)
             folder = self.folder()
             with self.display() as (server, name):
-                end = server.kill if kind == "display" else None
                 run = Run([self.saddle, "torus"], folder,
                           environment={"DISPLAY": name, "XDG_STATE_HOME": str(folder),
                                        "LIBGL_ALWAYS_SOFTWARE": "1"},
-                          end=(lambda pid: end() if end else os.kill(pid, getattr(signal, "SIG" + kind)), seconds))
-            if kind == "display" and (run.status != 1 or "display" not in run.err):
-                return f"status {run.status}: {run.err[-300:]}"
-            if kind != "display" and run.status != -getattr(signal, "SIG" + kind):
+                          end=(lambda pid: os.kill(pid, number) if number else server.kill(),
+                               seconds))
+            is_told = run.status == -number if number else run.status == 1 and "display" in run.err
+            if not is_told:
                 return f"status {run.status}: {run.err[-300:]}"
             left = [path.name for path in folder.iterdir()]
             return f"left behind: {left}" if left else None
