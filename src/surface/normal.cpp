@@ -170,6 +170,22 @@ std::optional<dvec3> unit_normal(const SurfacePoint& point, double scale_u, doub
   return (flip ? -cross->vector : cross->vector) / length;
 }
 
+ColumnPoint column_point(const NormalColumns& columns, std::size_t i, bool flip) {
+  const auto at = [&](std::size_t first) {
+    return dvec3(columns[first][i], columns[first + 1][i], columns[first + 2][i]);
+  };
+  const double front = flip ? -1 : 1;
+  const dvec3 position = at(0);
+  const dvec3 normal = front * at(kNormalColumn);
+  // |r_u| and |r_v| may each be infinite or 0.
+  const double scale =
+      std::sqrt(columns[kSquareUColumn][i]) * std::sqrt(columns[kSquareVColumn][i]);
+  // min(1, undefined) is undefined, but may have the derivatives of 1.
+  const bool is_regular = columns[kAreaColumn][i] > kDegenerateCross * scale && is_finite(normal) &&
+                          is_finite(position);
+  return {position, normal, is_regular};
+}
+
 double cross_terms(const SurfacePoint& point) {
   const dvec3 a = glm::abs(point.r_u);
   const dvec3 b = glm::abs(point.r_v);

@@ -19,6 +19,14 @@ inline constexpr double kDegenerateCross = 1e-7;
 std::optional<dvec3> unit_normal(const SurfacePoint& point, double scale_u, double scale_v,
                                  bool flip);
 
+/// A point of columns: its normal is a unit vector toward the front if it is regular.
+struct ColumnPoint {
+  dvec3 position;
+  dvec3 normal;
+  bool is_regular;  ///< |r_u x r_v| is more than kDegenerateCross |r_u| |r_v|, and all is finite
+};
+ColumnPoint column_point(const NormalColumns& columns, std::size_t i, bool flip);
+
 /// The largest terms of which the components of r_u x r_v are differences, as a vector's length: to
 /// rounding of it |r_u x r_v| is known, whatever the units of the axes. 1e9 u v has long tangents
 /// that are nearly parallel, of which r_u x r_v has all digits.

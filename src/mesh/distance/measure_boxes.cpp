@@ -85,7 +85,7 @@ double BoxMeasure::fold_between(const Triangle& a, const Triangle& b,
   return fold;
 }
 
-BoxMeasure::BoxMeasure(const Surface& surface, const Grid& grid, std::span<const Patch> patches,
+BoxMeasure::BoxMeasure(const Surface& surface, const Grid& grid, const Patches& patches,
                        Triangles triangles, const std::optional<Bounds>& clip, unsigned threads)
     : surface_(surface),
       grid_(grid),

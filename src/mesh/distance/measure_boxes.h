@@ -24,8 +24,8 @@ class BoxMeasure {
   };
 
   /// `patches`: of the boxes. Points outside of `clip` refute nothing.
-  BoxMeasure(const Surface& surface, const Grid& grid, std::span<const Patch> patches,
-             Triangles triangles, const std::optional<Bounds>& clip, unsigned threads);
+  BoxMeasure(const Surface& surface, const Grid& grid, const Patches& patches, Triangles triangles,
+             const std::optional<Bounds>& clip, unsigned threads);
 
   /// MeasureBoxes
   std::vector<ProofOutcome> operator()(std::span<const BoundedBox> boxes);
@@ -48,7 +48,7 @@ class BoxMeasure {
 
   const Surface& surface_;
   const Grid& grid_;
-  std::span<const Patch> patches_;
+  const Patches& patches_;
   Triangles triangles_;
   std::optional<NearestTriangles> tree_;  // made for the first point that its patch misses
   std::optional<Bounds> clip_;

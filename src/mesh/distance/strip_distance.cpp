@@ -56,7 +56,7 @@ bool StripDistance::add(const Leaf& leaf, std::size_t number, std::span<const Tr
                         double allowed) {
   bool is_gap = false;
   const std::vector<std::uint32_t> ends = thin_ends(leaf, is_gap);
-  if (ends.size() > 2 && !is_gap && !tree_.geometry().is_defined(leaf.samples.centre)) {
+  if (ends.size() > 2 && !is_gap && !tree_.is_centre_defined(leaf)) {
     Bounds around;
     for (const std::uint32_t end : ends) around.add(grid_.mesh.position[end]);
     if (around.diagonal() > allowed) found_.push_back({number, kMostSafety * allowed});

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "mesh/model/tolerances.h"
-#include "mesh/tree/cell_tree.h"
 
 namespace saddle {
 
@@ -13,9 +12,6 @@ namespace {
 /// beside the error estimate. On a smooth surface, prediction and estimate are right to a few per
 /// cent.
 constexpr double kLeastShare = 0.95;
-/// In tolerances: climbs begin at the centres of leaves whose estimate is larger. Beside others the
-/// surface would have to rise by two thirds.
-constexpr double kFarCentre = 0.6;
 /// Evaluations of a place at most; the first is where the climb starts.
 constexpr int kMostSteps = 5;
 
@@ -27,19 +23,13 @@ bool may_be_missed(const ValidatedMesh& mesh, std::size_t leaf, double predicted
   return mesh.error_ratio(leaf) <= 1 && predicted > share * mesh.allowed[leaf];
 }
 
-std::optional<dvec2> missed_from_centre(const ValidatedMesh& mesh, std::size_t leaf,
-                                        std::span<const Triangle> triangles, const Grid& grid,
-                                        const CellTree& tree) {
-  const std::uint32_t centre = mesh.leaves[leaf].samples.centre;
-  if (mesh.leaves[leaf].known_error < kFarCentre || !tree.geometry().is_regular(centre))
-    return std::nullopt;
-  const Mesh& of = grid.mesh;
-  for (const Triangle& t : triangles) {
+bool is_missed_from_centre(const ValidatedMesh& mesh, std::size_t leaf, const LeafCentre& centre,
+                           std::span<const Triangle> triangles, const Grid& grid) {
+  return std::ranges::any_of(triangles, [&](const Triangle& t) {
     const Predicted predicted =
-        predict(grid, std::span(&t, 1), of.uv[centre], of.position[centre], of.normal[centre]);
-    if (may_be_missed(mesh, leaf, predicted.distance)) return of.uv[centre];
-  }
-  return std::nullopt;
+        predict(grid, std::span(&t, 1), centre.uv, centre.position, centre.normal);
+    return may_be_missed(mesh, leaf, predicted.distance);
+  });
 }
 
 /// Moves on to a predicted place that is farther from the surface; half of the way back else.
@@ -75,9 +65,10 @@ void DistanceMaximizer::climb(ValidatedMesh& mesh) {
   };
   for (int step = 0; step < kMostSteps; ++step) {
     std::erase_if(ascents_, is_done);
-    if (ascents_.empty() || !surface_.may_go_on()) return;
+    if (ascents_.empty() || !surface_.may_go_on()) break;
     evaluate_predicted(mesh);
   }
+  ascents_.clear();
 }
 
 }  // namespace saddle

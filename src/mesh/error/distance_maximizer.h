@@ -7,21 +7,23 @@
 #include <span>
 #include <vector>
 
+#include "mesh/error/leaf_centres.h"
 #include "mesh/error/validated_mesh.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
-
-class CellTree;
 
 /// Whether a leaf within its tolerance may be above it where `predicted` is predicted: above 1.02
 /// times the error estimate, that threshold clamped to 0.95 to 1 tolerances.
 bool may_be_missed(const ValidatedMesh& mesh, std::size_t leaf, double predicted);
 
-/// The centre of a whole leaf if the surface may be farther from one of its triangles beside it.
-/// Its samples are known, so that this takes no evaluation.
-std::optional<dvec2> missed_from_centre(const ValidatedMesh& mesh, std::size_t leaf,
-                                        std::span<const Triangle> triangles, const Grid& grid,
-                                        const CellTree& tree);
+/// In tolerances: climbs begin at the centres of leaves whose estimate is larger. Beside others the
+/// surface would have to rise by two thirds.
+inline constexpr double kFarCentre = 0.6;
+
+/// Whether the surface may be farther from one of a whole leaf's triangles beside its centre.
+bool is_missed_from_centre(const ValidatedMesh& mesh, std::size_t leaf, const LeafCentre& centre,
+                           std::span<const Triangle> triangles, const Grid& grid);
 
 class DistanceMaximizer {
  public:
@@ -38,6 +40,10 @@ class DistanceMaximizer {
   /// Follows predictions until none is higher, a leaf is above its tolerance, or for five steps.
   /// Adds the distances found to the mesh.
   void climb(ValidatedMesh& mesh);
+  /// Climbs if there are many places.
+  void climb_from_many(ValidatedMesh& mesh) {
+    if (ascents_.size() >= kKeptAtATime) climb(mesh);
+  }
 
   std::size_t evaluations() const { return evaluations_; }
 

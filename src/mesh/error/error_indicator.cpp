@@ -97,9 +97,7 @@ void request_samples(Leaf& leaf, CellTree& tree) {
   ask(side[1], {high.u, m.v});
   ask(side[2], {m.u, high.v});
   ask(side[3], {low.u, m.v});
-  if (centre != SampleVertices::kUnasked) return;
-  const bool is_inside = leaf.size_u() > 1 && leaf.size_v() > 1;
-  centre = is_inside ? tree.vertices().vertex_inside(m) : tree.vertices().vertex(m);
+  ask(centre, m);
 }
 
 double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const CellTree& tree) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct CellLimits {
       seen_v;  ///< the grid's lines that are drawn or the domain's ends
   unsigned threads = 0;
   double share = 1e-3;  ///< the tolerance as a share of the surface's diagonal
+  std::size_t leaves_at_a_time = std::numeric_limits<std::size_t>::max();  ///< of MeshRequest
 };
 
 /// The limit for halvings that reduce the error of normals alone: 250,000 triangles, about half the

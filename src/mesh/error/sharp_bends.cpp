@@ -31,11 +31,7 @@ constexpr double kDoubtful = 0.5;
 constexpr double kDoubtfulSides = 0.75;
 /// Places on a leaf's middle lines, as parts of its sides. Random points are at 0.15 to 0.35.
 constexpr std::array kOnLines = {0.1, 0.9};
-/// A compass search starts at the farthest place, if its distance is at least 0.85 tolerances:
-/// steps as parts of the leaf's sides, each tried in four directions. For sides whose middles are
-/// nearer to the surface at their parameters, the nearest point is not searched; nor are diagonals
-/// of leaves that are estimated to be nearer.
-constexpr double kSearched = 0.85;
+/// Steps of the compass search as parts of the leaf's sides, each tried in four directions.
 constexpr std::array kStepShares = {0.2, 0.1, 0.05};
 /// A side that leaves the surface at a corner is farthest from a wall beside the corner: 1.25
 /// tolerances from the corner's tangent plane, where the corner is not near.
@@ -71,21 +67,21 @@ std::array<std::uint32_t, 2> diagonal_of(std::span<const Triangle> two) {
 
 /// The distance of the middle of a leaf's diagonal from the surface, to second order: from the
 /// tangent plane at the leaf's centre and the change of normals towards the middle.
-double distance_of_diagonal(const Mesh& mesh, const SampleVertices& samples,
+double distance_of_diagonal(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner,
+                            const LeafCentre& centre,
                             const std::array<std::uint32_t, 2>& diagonal) {
   const auto& position = mesh.position;
   const auto& normal = mesh.normal;
   const auto along = [&](const auto& of, std::size_t from, std::size_t to) {
-    return of[samples.corner[from]] - of[samples.corner[to]];
+    return of[corner[from]] - of[corner[to]];
   };
   const dvec3 r_u = along(position, 1, 0) + along(position, 2, 3);
   const dvec3 r_v = along(position, 3, 0) + along(position, 2, 1);
   const dvec3 n_u = along(normal, 1, 0) + along(normal, 2, 3);
   const dvec3 n_v = along(normal, 3, 0) + along(normal, 2, 1);
-  const dvec3 off =
-      0.5 * (position[diagonal[0]] + position[diagonal[1]]) - position[samples.centre];
-  const double height = glm::dot(off, normal[samples.centre]);
-  const dvec3 aside = off - height * normal[samples.centre];
+  const dvec3 off = 0.5 * (position[diagonal[0]] + position[diagonal[1]]) - centre.position;
+  const double height = glm::dot(off, centre.normal);
+  const dvec3 aside = off - height * centre.normal;
   // aside = p r_u + q r_v, by least squares.
   const double uu = glm::dot(r_u, r_u);
   const double uv = glm::dot(r_u, r_v);
@@ -100,17 +96,18 @@ double distance_of_diagonal(const Mesh& mesh, const SampleVertices& samples,
 }  // namespace
 
 void SharpBends::add(const ValidatedMesh& mesh, std::size_t number,
-                     std::span<const Triangle> triangles) {
+                     std::span<const Triangle> triangles, const std::optional<LeafCentre>& centre) {
   if (!mesh.is_near(number) || triangles.empty()) return;
   const Leaf& leaf = mesh.leaves[number];
-  const std::optional<Targets> targets = targets_of(mesh, number, triangles);
+  const std::optional<Targets> targets = targets_of(mesh, number, triangles, centre);
   if (!targets) return;
   leaves_.push_back({number, tree_.vertices().parameters(leaf.low),
                      tree_.vertices().parameters(leaf.high), triangles, *targets});
 }
 
 std::optional<SharpBends::Targets> SharpBends::targets_of(
-    const ValidatedMesh& mesh, std::size_t number, std::span<const Triangle> triangles) const {
+    const ValidatedMesh& mesh, std::size_t number, std::span<const Triangle> triangles,
+    const std::optional<LeafCentre>& centre) const {
   const Leaf& leaf = mesh.leaves[number];
   bool is_bridged = false;
   bool has_thick_bridge = false;
@@ -128,8 +125,9 @@ std::optional<SharpBends::Targets> SharpBends::targets_of(
   if (mesh.sampled_errors[number].degrees > kSharpDegrees) {
     return Targets{targets.places, targets.sides, true};
   }
-  if (leaf.known_error <= kSearched || triangles.size() != 2) return std::nullopt;
-  const double distance = distance_of_diagonal(grid_.mesh, leaf.samples, diagonal_of(triangles));
+  if (!centre || triangles.size() != 2) return std::nullopt;
+  const double distance =
+      distance_of_diagonal(grid_.mesh, leaf.samples.corner, *centre, diagonal_of(triangles));
   return distance > mesh.allowed[number] ? std::optional(Targets{false, true}) : std::nullopt;
 }
 
@@ -200,7 +198,7 @@ void SharpBends::sample(ValidatedMesh& mesh) {
                         {of.uv[a], of.uv[b]},
                         glm::abs(leaf.high - leaf.low),
                         allowed};
-    if (glm::distance(chord.middle(), points[k]) <= kSearched * allowed) continue;
+    if (glm::distance(chord.middle(), points[k]) <= kLeastEstimate * allowed) continue;
     validate_at(at, points[k], leaf, mesh);
     chord.known = mesh.sampled_errors[leaf.number].distance;
     if (!mesh.is_near(leaf.number)) continue;
@@ -216,7 +214,8 @@ void SharpBends::search(ValidatedMesh& mesh) {
   std::vector<dvec2> uv;
   for (const double step : kStepShares) {
     std::erase_if(leaves_, [&](const SharpLeaf& leaf) {
-      return !mesh.is_near(leaf.number) || leaf.distance < kSearched * mesh.allowed[leaf.number];
+      return !mesh.is_near(leaf.number) ||
+             leaf.distance < kLeastEstimate * mesh.allowed[leaf.number];
     });
     uv.clear();
     for (const SharpLeaf& leaf : leaves_) {

@@ -12,19 +12,27 @@
 #include <vector>
 
 #include "mesh/distance/whole_mesh_error.h"
+#include "mesh/error/leaf_centres.h"
 #include "mesh/error/validated_mesh.h"
 
 namespace saddle {
 
 class SharpBends {
  public:
+  /// A compass search starts at the farthest place of a leaf, if its distance is at least 0.85
+  /// tolerances. For sides whose middles are nearer to the surface at their parameters, the nearest
+  /// point is not searched; nor are diagonals of leaves that are estimated to be nearer.
+  static constexpr double kLeastEstimate = 0.85;
+
   SharpBends(const Surface& surface, const Grid& grid, const CellTree& tree, unsigned threads)
       : surface_(surface), grid_(grid), tree_(tree), threads_(threads) {}
 
   /// Adds a validated leaf with its triangles, which must outlive this. Leaves are added in the
   /// order of their triangles. Skips leaves with edge features other than creases.
-  /// Skips leaves that are above their tolerance, and leaves whose points are enough.
-  void add(const ValidatedMesh& mesh, std::size_t number, std::span<const Triangle> triangles);
+  /// Skips leaves that are above their tolerance, and leaves whose points are enough. `centre`: of
+  /// a leaf whose estimate exceeds kLeastEstimate tolerances.
+  void add(const ValidatedMesh& mesh, std::size_t number, std::span<const Triangle> triangles,
+           const std::optional<LeafCentre>& centre);
 
   /// Adds to the mesh the distances of the leaves at more places, and of their triangles' sides
   /// from the surface.
@@ -54,7 +62,8 @@ class SharpBends {
     std::optional<std::array<std::uint32_t, 2>> side = {};
   };
   std::optional<Targets> targets_of(const ValidatedMesh& mesh, std::size_t number,
-                                    std::span<const Triangle> triangles) const;
+                                    std::span<const Triangle> triangles,
+                                    const std::optional<LeafCentre>& centre) const;
   void append_places(std::size_t number, std::vector<Place>& places) const;
   void append_middles(std::size_t number, std::vector<Place>& places) const;
   void sample(ValidatedMesh& mesh);

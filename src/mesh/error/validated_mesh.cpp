@@ -1,43 +1,48 @@
 #include "mesh/error/validated_mesh.h"
 
+#include <utility>
+
 namespace saddle {
 
-namespace {
-
-/// Appends the triangles of a range; returns their new range.
-LeafTriangles::Range append(const LeafTriangles& from, LeafTriangles::Range range,
-                            Array<Triangle>& to) {
-  const auto first = from.all.begin() + range.first;
-  range.first = static_cast<std::uint32_t>(to.size());
-  to.insert(to.end(), first, first + range.count);
-  return range;
-}
-
-}  // namespace
-
-void ValidatedMesh::put(std::span<const std::size_t> which, const LeafTriangles& newer,
+void ValidatedMesh::put(std::span<const std::size_t> which, LeafTriangles newer,
                         std::uint32_t now) {
-  triangles.ranges.resize(leaves.size());
   made.resize(leaves.size());
   proved.resize(leaves.size());
   rough.resize(leaves.size());
   searched.resize(leaves.size());
+  for (const std::size_t k : which) made[k] = now;
+  if (triangles.all.empty() && which.size() == leaves.size()) {
+    triangles = std::move(newer);
+    return;
+  }
+  triangles.ranges.resize(leaves.size());
   for (std::size_t k = 0; k < which.size(); ++k) {
-    triangles.ranges[which[k]] = append(newer, newer.ranges[k], triangles.all);
-    made[which[k]] = now;
+    LeafTriangles::Range& range = triangles.ranges[which[k]] = newer.ranges[k];
+    range.first = static_cast<std::uint32_t>(triangles.all.size());
+    const std::span<const Triangle> own = newer.of(k);
+    triangles.all.insert(triangles.all.end(), own.begin(), own.end());
   }
 }
 
-LeafTriangles ValidatedMesh::all_triangles() const {
+Array<Triangle> ValidatedMesh::all_triangles() const {
   std::size_t count = 0;
   for (const LeafTriangles::Range& range : triangles.ranges) count += range.count;
-  LeafTriangles result;
-  result.all.reserve(count);
-  result.ranges.reserve(leaves.size());
-  for (const LeafTriangles::Range& range : triangles.ranges) {
-    result.ranges.push_back(append(triangles, range, result.all));
+  Array<Triangle> result;
+  result.reserve(count);
+  for (std::size_t k = 0; k < triangles.ranges.size(); ++k) {
+    const std::span<const Triangle> own = triangles.of(k);
+    result.insert(result.end(), own.begin(), own.end());
   }
   return result;
+}
+
+void ValidatedMesh::tidy_triangles() {
+  triangles.all = all_triangles();
+  std::uint32_t first = 0;
+  for (LeafTriangles::Range& range : triangles.ranges) {
+    range.first = first;
+    first += range.count;
+  }
 }
 
 void ValidatedMesh::remove(std::span<const std::size_t> which) {

@@ -19,7 +19,9 @@ class TriangleMark {
   void put_on(std::uint32_t revision) { revision_ = revision; }
 
  private:
-  std::optional<std::uint32_t> revision_;
+  /// That of no triangles: ~0 stands for leaves without any.
+  static constexpr std::uint32_t kNever = ~std::uint32_t{0} - 1;
+  std::uint32_t revision_ = kNever;
 };
 
 /// The leaves of a mesh, their tolerances, and the triangles and errors that they had when they
@@ -55,9 +57,11 @@ struct ValidatedMesh {
     worst.uv = uv;
   }
   /// Stores the triangles of some leaves.
-  void put(std::span<const std::size_t> which, const LeafTriangles& newer, std::uint32_t now);
-  /// The triangles of all leaves, and no others.
-  LeafTriangles all_triangles() const;
+  void put(std::span<const std::size_t> which, LeafTriangles newer, std::uint32_t now);
+  /// The triangles of all leaves, in their order, and no others.
+  Array<Triangle> all_triangles() const;
+  /// Removes replaced triangles, and sorts the others by their leaves.
+  void tidy_triangles();
   /// Removes leaves; `which` is ascending. The others keep their order.
   void remove(std::span<const std::size_t> which);
 };

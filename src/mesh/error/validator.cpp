@@ -23,22 +23,6 @@ namespace saddle {
 
 namespace {
 
-bool share_corner(const Triangle& a, const Triangle& b) {
-  return std::ranges::any_of(
-      a, [&](std::uint32_t corner) { return std::ranges::find(b, corner) != b.end(); });
-}
-
-/// The number of triangles from the first on that are connected: those of one sub-polygon.
-std::size_t count_connected(std::span<const Triangle> triangles) {
-  std::size_t count = 1;
-  const auto is_connected = [&](const Triangle& t) {
-    return std::ranges::any_of(triangles.first(count),
-                               [&](const Triangle& other) { return share_corner(t, other); });
-  };
-  while (count < triangles.size() && is_connected(triangles[count])) ++count;
-  return count;
-}
-
 /// The triangle around a place, and the one beyond its nearest side, if there is one. `known`: the
 /// triangle, or nullptr.
 PlaceOnTriangle on_triangle(const Grid& grid, std::span<const Triangle> triangles,
@@ -120,7 +104,10 @@ std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
   const auto validate = [&] {
     if (!surface_.may_go_on()) plain.clear();  // those that are left have no sampled errors
     const auto sampled_errors = validate_many(surface_, grid_, plain, threads_);
-    evaluations_ += std::tuple_size_v<PlacesInLeaf> * plain.size();
+    std::vector<std::size_t> leaves;
+    for (std::size_t i = 0; i < plain.size(); ++i) leaves.push_back(which[numbers[i]]);
+    const LeafCentres centres(surface_, mesh, leaves, kFarCentre, tree_, threads_);
+    evaluations_ += std::tuple_size_v<PlacesInLeaf> * plain.size() + centres.evaluations();
     for (std::size_t i = 0; i < plain.size(); ++i) {
       const std::size_t number = numbers[i];
       const std::size_t leaf = which[number];
@@ -130,13 +117,15 @@ std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
         continue;
       }
       mesh.sampled_errors[leaf] = sampled_errors[i]->worst;
-      if (const auto centre = missed_from_centre(mesh, leaf, triangles.of(number), grid_, tree_))
-        maxima.add(leaf, triangles.of(number), *centre);
+      const auto centre = centres.of(i);
+      if (centre && is_missed_from_centre(mesh, leaf, *centre, triangles.of(number), grid_))
+        maxima.add(leaf, triangles.of(number), centre->uv);
       if (!may_be_missed(mesh, leaf, sampled_errors[i]->predicted)) continue;
       for (const dvec2& part : plain[i].places) {
         maxima.add(leaf, triangles.of(number), glm::mix(plain[i].low, plain[i].high, part));
       }
     }
+    maxima.climb_from_many(mesh);
     plain.clear();
     numbers.clear();
   };
@@ -236,9 +225,14 @@ void Validator::validate_one_by_one(ValidatedMesh& mesh, std::span<const std::si
 void Validator::validate_sharp_bends(ValidatedMesh& mesh, std::span<const std::size_t> which,
                                      const LeafTriangles& triangles) {
   SharpBends bends(surface_, grid_, tree_, threads_);
-  for (std::size_t k = 0; k < which.size(); ++k) {
-    if (clip_ && crosses_box(triangles.of(k))) continue;
-    bends.add(mesh, which[k], triangles.of(k));
+  for (std::size_t begin = 0; begin < which.size(); begin += kKeptAtATime) {
+    const auto some = which.subspan(begin, std::min(kKeptAtATime, which.size() - begin));
+    const LeafCentres centres(surface_, mesh, some, SharpBends::kLeastEstimate, tree_, threads_);
+    evaluations_ += centres.evaluations();
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      const auto of_leaf = triangles.of(begin + i);
+      if (!(clip_ && crosses_box(of_leaf))) bends.add(mesh, some[i], of_leaf, centres.of(i));
+    }
   }
   bends.measure(mesh);
   evaluations_ += bends.evaluations();

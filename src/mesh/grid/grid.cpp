@@ -61,6 +61,13 @@ bool Grid::is_used(std::size_t vertex) const {
   return used;
 }
 
+void Grid::forget_triangles() {
+  for (GridCell& cell : cells) {
+    if (cell <= GridCell::Two) cell = GridCell::Open;
+  }
+  mesh.triangles = Array<Triangle>();
+}
+
 void Grid::open_around(std::size_t vertex) {
   for_cells_around(vertex, [this](std::size_t cell, std::size_t) { cells[cell] = GridCell::Open; });
 }

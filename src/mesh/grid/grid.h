@@ -83,6 +83,8 @@ struct Grid {
   }
   /// Whether the vertex is a corner of a kept cell.
   bool is_used(std::size_t vertex) const;
+  /// Frees the triangles. The cells that had some are open.
+  void forget_triangles();
   /// Marks the kept cells around a vertex as open.
   void open_around(std::size_t vertex);
 

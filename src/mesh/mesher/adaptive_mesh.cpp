@@ -324,7 +324,7 @@ std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& requ
   }
   finisher.list_jumps(report);
   finisher.list_cusps(report);
-  LeafTriangles triangles = mesher.triangulate(report);
+  LeafTriangles& triangles = mesher.triangulate(report);
   report_errors(surface, request, mesher, triangles, report);
   if (triangles.all.empty()) return std::nullopt;
   finisher.take_lost_parts(triangles, request.clip, report);

@@ -59,7 +59,8 @@ AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& reques
               seen_lines(plan.lines.u, plan.drawn.u),
               seen_lines(plan.lines.v, plan.drawn.v),
               request.threads,
-              share_of_diagonal(plan)},
+              share_of_diagonal(plan),
+              request.leaves_at_a_time},
       coarser_(plan.coarser),
       grid_(sample_grid(surface, std::move(plan.lines.u), std::move(plan.lines.v), request.threads,
                         request.clip)),
@@ -86,8 +87,10 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
   const Until until = stops_early() ? Until::OneGeneration
                       : may_stop()  ? Until::Poles
                                     : Until::Done;
-  tree_.geometry().add_middles(request_.threads);
-  refine({root_leaves(grid_), std::move(counterexamples)}, {until, limits_.triangles.part(kFirst)});
+  if (grid_.cell_count() <= limits_.leaves_at_a_time)
+    tree_.geometry().add_middles(request_.threads);
+  refine({root_leaves(grid_), std::move(counterexamples), true},
+         {until, limits_.triangles.part(kFirst)});
   for (int round = 0; !stops_early(); ++round) {
     if (round == kMostRounds) {
       if (certifies()) find_features();  // they count as errors
@@ -109,6 +112,7 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
     refine(std::move(active), {until, limits_.triangles});
   }
   if (stops_early()) return;
+  ask_forgotten_samples();
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     if (direction_.is_cut_unclearly(k)) leave_out_if_small(k);
   }
@@ -130,10 +134,10 @@ ActiveLeaves AdaptiveMesher::next_active() {
   return active;
 }
 
-LeafTriangles AdaptiveMesher::triangulate(MeshReport& report) {
-  LeafTriangles triangles = validation_.triangulate(report);
-  if (has_shared_chords_ || seams_.has_folds()) flip_shared_chords(grid_, triangles);
-  return triangles;
+LeafTriangles& AdaptiveMesher::triangulate(MeshReport& report) {
+  validation_.triangulate(report);
+  if (has_shared_chords_ || seams_.has_folds()) flip_shared_chords(grid_, mesh_.triangles);
+  return mesh_.triangles;
 }
 
 void AdaptiveMesher::reach_extremes() {
@@ -212,6 +216,7 @@ bool AdaptiveMesher::crosses_box(const Leaf& leaf) const {
 void AdaptiveMesher::append(Subdivision subdivision) {
   reached_limit_ = reached_limit_ || subdivision.reached_limit;
   if (!oscillates_) oscillates_ = subdivision.oscillates;
+  has_forgotten_ = has_forgotten_ || subdivision.has_forgotten;
   if (mesh_.leaves.empty()) {
     mesh_.leaves = std::move(subdivision.leaves);
   } else {
@@ -224,6 +229,7 @@ void AdaptiveMesher::append(Subdivision subdivision) {
 void AdaptiveMesher::find_far_vertices() {
   if (!may_stop()) return;
   const auto& position = grid_.mesh.position;
+  if (has_forgotten_) seen_ = 0;  // others may have their numbers
   for (; seen_ < position.size(); ++seen_) {
     const dvec3& p = position[seen_];
     if (!proportionate_.contains(p) && is_finite(p)) far_vertices_.add(p);
@@ -243,6 +249,7 @@ void AdaptiveMesher::refine(ActiveLeaves active, const SubdivisionGoal& goal) {
   join_points();
   const std::size_t first = mesh_.sampled_errors.size();
   validation_.validate_new(std::move(changed));
+  if (has_forgotten_) grid_.forget_triangles();  // leaves have their own
   place_inner_vertices(first);
 }
 
@@ -359,6 +366,7 @@ bool AdaptiveMesher::leave_out_if_small(std::size_t number) {
 /// their halves.
 std::vector<Leaf> AdaptiveMesher::halve_missed() {
   if (!std::exchange(has_new_left_out_, false)) return {};
+  ask_forgotten_samples();
   std::vector<std::size_t> missed;
   std::vector<Leaf> halves;
   for (const auto& [k, farthest] :
@@ -385,9 +393,21 @@ std::optional<std::array<Leaf, 2>> AdaptiveMesher::halve_cut(std::size_t number)
   return both ? both : halve(leaf, !across_u, tree_);
 }
 
+/// Evaluates the samples again of leaves that passed their estimate, but may be halved.
+void AdaptiveMesher::ask_forgotten_samples() {
+  if (!has_forgotten_) return;
+  for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+    Leaf& leaf = mesh_.leaves[k];
+    const bool is_good = leaf.state.is_whole() && mesh_.is_near(k) && !validation_.is_turned(k);
+    if (!is_good) request_samples(leaf, tree_);
+  }
+  tree_.geometry().evaluate(request_.threads);
+}
+
 /// Removes failed leaves from the mesh and returns their halves. It tests the leaves that were
 /// validated since the last call, and those whose features changed.
 std::vector<Leaf> AdaptiveMesher::halve_failed() {
+  ask_forgotten_samples();
   const std::uint32_t now = tree_.revisions().next();
   std::optional<Oscillation> unresolvable;  // made for the first failed leaf
   std::vector<std::size_t> failed;

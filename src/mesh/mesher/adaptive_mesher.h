@@ -54,8 +54,9 @@ class AdaptiveMesher {
   Grid& grid() { return grid_; }
   const Grid& grid() const { return grid_; }
 
-  /// The triangles of all leaves. Singular vertices get a corner for each limit of the normal.
-  LeafTriangles triangulate(MeshReport& report);
+  /// The triangles of all leaves, in their order. Singular vertices get a corner for each limit of
+  /// the normal.
+  LeafTriangles& triangulate(MeshReport& report);
 
   /// Whether a leaf is outside of the clip box.
   bool is_clipped(const Leaf& leaf) const;
@@ -91,6 +92,7 @@ class AdaptiveMesher {
   std::vector<Leaf> halve_missed();
   std::optional<std::array<Leaf, 2>> halve_cut(std::size_t number);
   bool stop_if_done(Leaf& leaf, const Oscillation& oscillation);
+  void ask_forgotten_samples();
   std::vector<Leaf> halve_failed();
   std::vector<Leaf> reactivate_defined();
   void take_thinly_cut(std::vector<std::size_t>& numbers, std::vector<Leaf>& active) const;
@@ -130,6 +132,7 @@ class AdaptiveMesher {
   std::vector<Leaf> empty_;   // not in the mesh: the surface is defined at none of their samples
   std::vector<PlacedSingularity> singularities_;
   bool has_new_left_out_ = false;  ///< leaves that are too small
+  bool has_forgotten_ = false;     ///< leaves may lack samples
   bool reached_limit_ = false;
   std::optional<dvec2> coarse_normals_;
   std::optional<dvec2> oscillates_;

@@ -55,16 +55,16 @@ ProvedCells LeafProof::cells_of(const ValidatedMesh& mesh) const {
 
 LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
   const std::vector<std::size_t> leaves = unproved_leaves(mesh);
-  std::vector<Patch> patches;
-  patches.reserve(leaves.size());
-  for (const std::size_t k : leaves) {
-    patches.push_back(patch_of(mesh.leaves[k], mesh.allowed[k], grid_, tree_));
-    if (!mesh.triangles.ranges[k].is_complete()) patches.back().is_measured = true;
-  }
+  const Patches patches{leaves.size(), [&](std::size_t number) {
+                          const std::size_t k = leaves[number];
+                          Patch patch = patch_of(mesh.leaves[k], mesh.allowed[k], grid_, tree_);
+                          patch.is_measured |= !mesh.triangles.ranges[k].is_complete();
+                          return patch;
+                        }};
   budget_.allow_for(tree_.effort().total());
   BoxMeasure measure(surface_, grid_, patches,
                      {[&](std::size_t patch) { return mesh.triangles.of(leaves[patch]); },
-                      [&] { return NearestTriangles(grid_, mesh.all_triangles().all); }},
+                      [&] { return NearestTriangles(grid_, mesh.all_triangles()); }},
                      clip_, threads_);
   Certification proof =
       certify(surface_, root_lines(grid_), patches, clip_, std::ref(measure), budget_);

@@ -1,6 +1,7 @@
 #include "mesh/mesher/leaf_validation.h"
 
 #include <cstdint>
+#include <utility>
 
 #include "mesh/error/error_indicator.h"
 #include "mesh/error/validator.h"
@@ -67,13 +68,13 @@ bool LeafValidation::revalidate() {
 void LeafValidation::validate(std::span<const std::size_t> which, const SingularCorners& singular) {
   const std::uint32_t now = tree_.revisions().next();
   for (const std::size_t k : which) mesh_.leaves[k].validated_at = now;
-  const LeafTriangles triangles = triangulate_leaves(mesh_.leaves, which, singular, grid_, tree_);
+  LeafTriangles triangles = triangulate_leaves(mesh_.leaves, which, singular, grid_, tree_);
   Validator validator(surface_, grid_, tree_, limits_);
   validator.measure(mesh_, which, triangles);
   evaluations_ += validator.evaluations();
   tree_.effort().add_places(validator.evaluations());
   tree_.effort().looks() += validator.looks();
-  mesh_.put(which, triangles, now);
+  mesh_.put(which, std::move(triangles), now);
   landmarks_.measure(which, mesh_);
   for (const std::size_t k : which) {
     const bool is_thin =
@@ -99,7 +100,7 @@ bool LeafValidation::validate_singular() {
   return true;
 }
 
-LeafTriangles LeafValidation::triangulate(MeshReport& report) {
+void LeafValidation::triangulate(MeshReport& report) {
   const auto& leaves = mesh_.leaves;
   const SingularCorners singular(leaves, tree_, limits_.threads, normal_limits_, grid_, report);
   validate(singular.leaves(), singular);
@@ -109,7 +110,7 @@ LeafTriangles LeafValidation::triangulate(MeshReport& report) {
   }
   mesh_.put(stale, triangulate_leaves(leaves, stale, singular, grid_, tree_),
             tree_.revisions().next());
-  return mesh_.all_triangles();
+  mesh_.tidy_triangles();
 }
 
 /// Whether the triangles of a leaf's last validation are still those of its cell polygon.

@@ -43,7 +43,7 @@ class LeafValidation {
   bool validate_singular();
 
   /// The triangles of all leaves, with the limits of normals at singular vertices.
-  LeafTriangles triangulate(MeshReport& report);
+  void triangulate(MeshReport& report);
 
   /// Whether the normals of a leaf turn by more than is allowed.
   bool is_turned(std::size_t leaf) const;

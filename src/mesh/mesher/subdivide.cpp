@@ -1,6 +1,7 @@
 #include "mesh/mesher/subdivide.h"
 
 #include <algorithm>
+#include <deque>
 #include <utility>
 
 #include "base/activity.h"
@@ -36,16 +37,14 @@ struct Candidate {
   Origin origin;
 };
 
-/// The active leaves of a generation. Leaves stand apart, for loops over many of them.
-struct Generation {
+/// Active leaves of a generation. Leaves stand apart, for loops over many of them.
+struct Part {
   std::vector<Leaf> leaves;
   std::vector<Origin> origins;
-
-  void clear() {
-    leaves.clear();
-    origins.clear();
-  }
 };
+
+/// A generation: one part, or several if samples may be forgotten.
+using Generation = std::deque<Part>;
 
 /// An active leaf with its error estimate.
 struct Estimated {
@@ -56,10 +55,10 @@ struct Estimated {
 /// Subdivides active leaves generation by generation.
 class Subdivider {
  public:
-  Subdivider(std::span<const Counterexample> counterexamples, const CellLimits& limits,
-             const SubdivisionGoal& goal, const Grid& grid, Oscillation known_oscillation,
-             CellTree& tree)
-      : counterexamples_(counterexamples),
+  Subdivider(const ActiveLeaves& active, const CellLimits& limits, const SubdivisionGoal& goal,
+             const Grid& grid, Oscillation known_oscillation, CellTree& tree)
+      : counterexamples_(active.counterexamples),
+        may_forget_(active.are_all),
         limits_(limits),
         goal_(goal),
         grid_(grid),
@@ -68,17 +67,49 @@ class Subdivider {
         known_oscillation_(std::move(known_oscillation)),
         oscillation_(grid, limits.share) {}
 
-  /// Estimates the errors of a generation of leaves and replaces it by the next one: the halves of
-  /// the leaves that fail.
-  void advance(Generation& generation) {
-    auto& [leaves, origins] = generation;
-    for (Leaf& leaf : leaves) request_samples(leaf, tree_);
-    tree_.geometry().evaluate(limits_.threads);
-    const FastCellErrors fast_errors = estimate_many(leaves, limits_, indicator_, tree_);
-    place_thin_vertices(leaves_with_thin_parts(generation, fast_errors), limits_.tolerance,
-                        limits_.threads, tree_);
-    next_.clear();
+  bool has_active() const { return !next_.empty(); }
+
+  void add_active(const Leaf& leaf, Origin origin) {
+    const bool is_full =
+        may_forget_ && !next_.empty() && next_.back().leaves.size() == limits_.leaves_at_a_time;
+    if (next_.empty() || is_full) next_.emplace_back();
+    next_.back().leaves.push_back(leaf);
+    next_.back().origins.push_back(std::move(origin));
+  }
+
+  /// Estimates the errors of the active leaves and replaces them by the next generation: the halves
+  /// of the leaves that fail. Where they are many, some are estimated at a time, and their samples
+  /// forgotten.
+  void advance() {
+    Generation generation = std::exchange(next_, {});
     oscillation_.clear();
+    forgets_ = generation.size() > 1;
+    // Room that is not used costs no memory.
+    if (forgets_)
+      result_.leaves.reserve(result_.leaves.size() + limits_.leaves_at_a_time * generation.size());
+    result_.has_forgotten = result_.has_forgotten || forgets_;
+    for (; !generation.empty(); generation.pop_front()) advance(generation.front());
+  }
+
+  Subdivision take_result() { return std::move(result_); }
+
+ private:
+  void keep_passing(Leaf leaf, float distance) {
+    leaf.stagnation = leaf.normal_stagnation = 0;
+    leaf.known_error = distance;
+    if (forgets_) leaf.samples.forget_all_but_corners();
+    result_.leaves.push_back(leaf);
+  }
+
+  /// Adds the halves of the leaves that fail to the next generation.
+  void advance(Part& part) {
+    auto& [leaves, origins] = part;
+    for (Leaf& leaf : leaves) request_samples(leaf, tree_);
+    const std::vector<std::uint32_t> samples = tree_.geometry().evaluate(limits_.threads);
+    const std::size_t kept = result_.leaves.size();
+    const FastCellErrors fast_errors = estimate_many(leaves, limits_, indicator_, tree_);
+    place_thin_vertices(leaves_with_thin_parts(part, fast_errors), limits_.tolerance,
+                        limits_.threads, tree_);
     const auto passing =
         static_cast<std::size_t>(std::ranges::count_if(fast_errors.leaves, &FastCellError::passes));
     // Leaves that grow by doubling would have room for up to twice as many.
@@ -123,26 +154,29 @@ class Subdivider {
     for (const Estimated& estimated : smooth) keep_or_halve(estimated);
     halve_boundaries(boundaries);
     search_features(to_search);
-    std::swap(generation, next_);
+    if (forgets_) forget(samples, std::span(result_.leaves).subspan(kept));
   }
 
-  Subdivision take_result() { return std::move(result_); }
-
- private:
-  void keep_passing(Leaf leaf, float distance) {
-    leaf.stagnation = leaf.normal_stagnation = 0;
-    leaf.known_error = distance;
-    result_.leaves.push_back(leaf);
+  /// Forgets samples that none of these leaves has.
+  void forget(std::span<const std::uint32_t> samples, std::span<const Leaf> leaves) {
+    std::vector<std::uint32_t> needed;
+    for (const Leaf& leaf : leaves)
+      leaf.samples.for_middles([&](std::uint32_t vertex) { needed.push_back(vertex); });
+    std::ranges::sort(needed);
+    for (const std::uint32_t vertex : samples) {
+      const bool is_needed = std::ranges::binary_search(needed, vertex);
+      if (!is_needed && tree_.geometry().can_forget(vertex)) tree_.vertices().forget(vertex);
+    }
   }
 
   /// Leaves that the surface's boundary is known to cross: by samples, by vertices of neighbours,
   /// or by counterexamples.
-  std::vector<Leaf> leaves_with_thin_parts(const Generation& generation,
+  std::vector<Leaf> leaves_with_thin_parts(const Part& part,
                                            const FastCellErrors& fast_errors) const {
     std::vector<Leaf> crossed;
-    for (std::size_t k = 0; k < generation.leaves.size(); ++k) {
-      const Leaf& leaf = generation.leaves[k];
-      const Origin& origin = generation.origins[k];
+    for (std::size_t k = 0; k < part.leaves.size(); ++k) {
+      const Leaf& leaf = part.leaves[k];
+      const Origin& origin = part.origins[k];
       const int defined = fast_errors.leaves[k].is_known ? 9 : count_defined(tree_, leaf);
       const bool is_crossed = defined == 0   ? is_known_defined(leaf, origin)
                               : defined == 9 ? has_thin_vertex(leaf, tree_) || has_hole(origin)
@@ -411,8 +445,8 @@ class Subdivider {
         if (is_inside) origin.counterexamples.push_back(counterexample);
       }
     }
-    next_.leaves.push_back(half);
-    next_.origins.push_back(std::move(origin));
+    add_active(half, std::move(origin));
+    if (forgets_) next_.back().leaves.back().samples.forget_all_but_corners();
   }
 
   /// The landmarks at which a leaf is larger than the tolerance.
@@ -455,6 +489,8 @@ class Subdivider {
   }
 
   std::span<const Counterexample> counterexamples_;
+  const bool may_forget_;  // no other leaves have samples
+  bool forgets_ = false;   // leaves that pass and halves keep their corners alone
   const CellLimits& limits_;
   SubdivisionGoal goal_;
   const Grid& grid_;
@@ -471,16 +507,19 @@ class Subdivider {
 Subdivision subdivide(ActiveLeaves active, Oscillation known_oscillation, const CellLimits& limits,
                       const SubdivisionGoal& goal, const Grid& grid, CellTree& tree) {
   const std::vector<Counterexample>& counterexamples = active.counterexamples;
-  Subdivider subdivider(counterexamples, limits, goal, grid, std::move(known_oscillation), tree);
-  const std::size_t count = active.leaves.size();
-  Generation generation{std::move(active.leaves), std::vector<Origin>(count)};
-  for (Leaf& leaf : generation.leaves) leaf.followed_at = 0;
-  for (std::uint32_t k = 0; k < counterexamples.size(); ++k) {
-    generation.origins[counterexamples[k].cell].counterexamples.push_back(k);
+  Subdivider subdivider(active, limits, goal, grid, std::move(known_oscillation), tree);
+  std::vector<Origin> origins(active.leaves.size());
+  for (std::uint32_t k = 0; k < counterexamples.size(); ++k)
+    origins[counterexamples[k].cell].counterexamples.push_back(k);
+  for (std::size_t k = 0; k < active.leaves.size(); ++k) {
+    active.leaves[k].followed_at = 0;
+    subdivider.add_active(active.leaves[k], std::move(origins[k]));
   }
+  active.leaves = std::vector<Leaf>();
+  origins = std::vector<Origin>();
   // One generation follows the one that finds poles: they may be on the sides of a few cells only.
-  for (bool has_poles = false; !generation.leaves.empty(); has_poles = tree.has_poles()) {
-    subdivider.advance(generation);
+  for (bool has_poles = false; subdivider.has_active(); has_poles = tree.has_poles()) {
+    subdivider.advance();
     if (goal.until == Until::OneGeneration || (goal.until == Until::Poles && has_poles)) {
       break;
     }

@@ -32,6 +32,7 @@ struct Subdivision {
   std::vector<Leaf> leaves;         ///< in an order that is always the same
   std::vector<Leaf> empty;          ///< the surface is defined at none of their samples
   bool reached_limit = false;       ///< the limit of triangles stopped it
+  bool has_forgotten = false;       ///< leaves may have their corners alone as samples
   std::optional<dvec2> oscillates;  ///< a place where an oscillation stopped it
 };
 
@@ -40,11 +41,13 @@ struct Subdivision {
 struct ActiveLeaves {
   std::vector<Leaf> leaves;
   std::vector<Counterexample> counterexamples;
+  bool are_all = false;  ///< the mesh has no other leaves
 };
 
 /// Halves active leaves in one direction at a time, until each one passes its error indicator and
 /// its counterexamples, or halving does not help. `known_oscillation`: of leaves that are not
-/// active.
+/// active. If more leaves than CellLimits::leaves_at_a_time are active, which are all that the mesh
+/// has, those that pass keep their corners alone.
 Subdivision subdivide(ActiveLeaves active, Oscillation known_oscillation, const CellLimits& limits,
                       const SubdivisionGoal& goal, const Grid& grid, CellTree& tree);
 

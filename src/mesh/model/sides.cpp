@@ -1,6 +1,17 @@
 #include "mesh/model/sides.h"
 
+#include <algorithm>
+
 namespace saddle {
+
+namespace {
+
+bool share_corner(const Triangle& a, const Triangle& b) {
+  return std::ranges::any_of(
+      a, [&](std::uint32_t corner) { return std::ranges::find(b, corner) != b.end(); });
+}
+
+}  // namespace
 
 std::optional<std::uint32_t> apex_beyond(std::span<const Triangle> triangles, std::uint32_t a,
                                          std::uint32_t b) {
@@ -10,6 +21,16 @@ std::optional<std::uint32_t> apex_beyond(std::span<const Triangle> triangles, st
     }
   }
   return std::nullopt;
+}
+
+std::size_t count_connected(std::span<const Triangle> triangles) {
+  std::size_t count = 1;
+  const auto is_connected = [&](const Triangle& t) {
+    return std::ranges::any_of(triangles.first(count),
+                               [&](const Triangle& other) { return share_corner(t, other); });
+  };
+  while (count < triangles.size() && is_connected(triangles[count])) ++count;
+  return count;
 }
 
 }  // namespace saddle

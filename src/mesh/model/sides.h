@@ -19,6 +19,10 @@ inline bool has_side(std::span<const Triangle> triangles, std::uint32_t a, std::
   return apex_beyond(triangles, a, b).has_value();
 }
 
+/// The number of triangles from the first on that share corners with others before them; there is
+/// one.
+std::size_t count_connected(std::span<const Triangle> triangles);
+
 /// Calls f(triangle, k, is_diagonal) for each side of triangles once: the one from the triangle's
 /// corner k on. A diagonal is a side of two.
 template <class F>

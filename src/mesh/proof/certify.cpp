@@ -41,7 +41,7 @@ constexpr std::size_t kPlacesOfDescents = 5'000;
 
 class Certifier {
  public:
-  Certifier(const Surface& surface, const RootLines& root, std::span<const Patch> patches,
+  Certifier(const Surface& surface, const RootLines& root, const Patches& patches,
             const std::optional<Bounds>& clip, const MeasureBoxes& measure, ProofBudget& budget)
       : root_(root),
         cells_u_(root.u.size() - 1),
@@ -64,10 +64,10 @@ class Certifier {
       if (!is_refuted(patch)) result_.proof_gaps.push_back(gap);
     }
     for (std::uint32_t k = 0; k < refuted_.size(); ++k) {
-      const Patch& patch = patches_[k];
-      if (is_refuted(k))
-        result_.proof_gaps.push_back(
-            {patch.cut_by.value_or(GapReason::Wide), patch.box.low, patch.box.high});
+      if (!is_refuted(k)) continue;
+      const Patch patch = patches_[k];
+      result_.proof_gaps.push_back(
+          {patch.cut_by.value_or(GapReason::Wide), patch.box.low, patch.box.high});
     }
     return std::move(result_);
   }
@@ -106,7 +106,7 @@ class Certifier {
     of_cells_.resize(cells_u_ * cells_v_);
     for (std::size_t cell = 0; cell < of_cells_.size(); ++cell) {
       for (const std::uint32_t k : patches_of_.of(cell)) {
-        const Patch& patch = patches_[k];
+        const Patch patch = patches_[k];
         if (patch.cut_by) {
           if (!patch.jump_line || !append_sides_of_jump(k)) add_gap(*patch.cut_by, k, patch.box);
         } else if (patch.is_measured) {
@@ -121,8 +121,9 @@ class Certifier {
   /// Makes the two sides of a jump parts_: from the double on at which bounds prove the surface to
   /// be continuous on both. Beside 0 doubles are closer than what tells jumps from slopes.
   bool append_sides_of_jump(std::uint32_t k) {
-    const auto& [axis, below, above] = *patches_[k].jump_line;
-    const auto& [low, high] = patches_[k].box;
+    const Patch patch = patches_[k];
+    const auto& [axis, below, above] = *patch.jump_line;
+    const auto& [low, high] = patch.box;
     const ParameterBox whole = {glm::min(low, high), glm::max(low, high)};
     for (const double cut :
          {above, std::nextafter(below, kInfinity), 0.0, std::nextafter(0.0, kInfinity)}) {
@@ -191,7 +192,8 @@ class Certifier {
     }
     if (!is_last) return ProofOutcome::Open;
     for (const std::uint32_t k : patches_of_.of(cell(cells.first_u, cells.first_v))) {
-      if (!patches_[k].cut_by && !patches_[k].is_measured) parts_.push_back({k, patches_[k].box});
+      const Patch patch = patches_[k];
+      if (!patch.cut_by && !patch.is_measured) parts_.push_back({k, patch.box});
     }
     return ProofOutcome::Refuted;
   }
@@ -289,7 +291,7 @@ class Certifier {
       if (depth_ >= most_halvings) return leave_unproved(part, {bend, false});
       return halve_along(part, depth_ % 2, 1);
     }
-    const Patch& patch = patches_[part.patch];
+    const Patch patch = patches_[part.patch];
     const dvec2 size = part.box.size();
     const double arc = bounds.arc(size);
     if (depth_ == 0 && !patch.is_measured && !patch.cut_by && is_proved(arc, patch.allowed)) return;
@@ -357,8 +359,7 @@ class Certifier {
     bool is_undefined;
   };
   void leave_unproved(const Part& part, const Known& known) {
-    const auto& cut_by = patches_[part.patch].cut_by;
-    if (cut_by) return add_gap(*cut_by, part.patch, part.box);
+    if (const auto why = patches_[part.patch].cut_by) return add_gap(*why, part.patch, part.box);
     const bool may_jump = part.why == GapReason::Discontinuous;
     result_.unproved_boxes.push_back(
         {part.patch, part.box.middle(), part.box.size(), known.bend, known.is_undefined, may_jump});
@@ -369,7 +370,7 @@ class Certifier {
 
   RootLines root_;
   std::size_t cells_u_, cells_v_;
-  std::span<const Patch> patches_;
+  const Patches& patches_;
   const std::optional<Bounds>& clip_;
   const MeasureBoxes& measure_;
   ProofBudget& budget_;
@@ -390,7 +391,7 @@ class Certifier {
 
 }  // namespace
 
-Certification certify(const Surface& surface, const RootLines& root, std::span<const Patch> patches,
+Certification certify(const Surface& surface, const RootLines& root, const Patches& patches,
                       const std::optional<Bounds>& clip, const MeasureBoxes& measure,
                       ProofBudget& budget) {
   return Certifier(surface, root, patches, clip, measure, budget).run();

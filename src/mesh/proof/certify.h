@@ -66,7 +66,7 @@ struct Certification {
 /// its first derivatives continuous. Boxes of many root cells come first, then patches, then parts
 /// of patches, for which `measure` adds the distance of their corners. Boxes without a proof when
 /// the budget ends are unproved. The surface outside of `clip` needs none.
-Certification certify(const Surface& surface, const RootLines& root, std::span<const Patch> patches,
+Certification certify(const Surface& surface, const RootLines& root, const Patches& patches,
                       const std::optional<Bounds>& clip, const MeasureBoxes& measure,
                       ProofBudget& budget);
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -29,6 +30,16 @@ struct Patch {
   bool is_measured = false;
   std::optional<JumpLine> jump_line =
       {};  ///< all that cuts it: both sides have proofs of their own
+};
+
+/// Patches by their numbers. They are made when asked for: all of a fine mesh would take as much
+/// memory as the mesh.
+struct Patches {
+  std::size_t count;
+  std::function<Patch(std::size_t)> make;
+
+  std::size_t size() const { return count; }
+  Patch operator[](std::size_t number) const { return make(number); }
 };
 
 /// Lines of the root grid, whose cells are numbered with u inner.
@@ -63,12 +74,15 @@ inline void halve_cells(const RootCells& cells, std::vector<RootCells>& to) {
 /// The patches of each cell of the root grid.
 class PatchesOfCells {
  public:
-  PatchesOfCells(std::size_t cells, std::span<const Patch> patches)
+  PatchesOfCells(std::size_t cells, const Patches& patches)
       : first_(cells + 1, 0), patches_(patches.size()) {
-    for (const Patch& patch : patches) ++first_[patch.root_cell + 1];
+    std::vector<std::uint32_t> cell_of;
+    for (std::size_t k = 0; k < patches.size(); ++k)
+      cell_of.push_back(static_cast<std::uint32_t>(patches[k].root_cell));
+    for (const std::uint32_t cell : cell_of) ++first_[cell + 1];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t k = 0; k < patches.size(); ++k) patches_[next[patches[k].root_cell]++] = k;
+    for (std::uint32_t k = 0; k < patches.size(); ++k) patches_[next[cell_of[k]]++] = k;
   }
   std::span<const std::uint32_t> of(std::size_t cell) const {
     return std::span(patches_).subspan(first_[cell], first_[cell + 1] - first_[cell]);

@@ -309,8 +309,7 @@ std::vector<Polygon> sub_polygons(const Leaf& leaf, const CellTree& tree) {
   Cutter cutter(leaf, whole, tree);
   const JumpLines lines(leaf, tree);
   if (lines.count() > 0) return cutter.take(lines);
-  return cutter.take(leaf.state.is_cut_by_feature(),
-                     tree.geometry().is_defined(leaf.samples.centre),
+  return cutter.take(leaf.state.is_cut_by_feature(), tree.is_centre_defined(leaf),
                      has_opposite_gaps(leaf, tree));
 }
 

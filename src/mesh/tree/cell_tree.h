@@ -61,6 +61,11 @@ class CellTree {
   RevisionClock& revisions() { return revisions_; }
   const RevisionClock& revisions() const { return revisions_; }
 
+  /// Whether the centre of a leaf is defined. It was where the sample is forgotten.
+  bool is_centre_defined(const Leaf& leaf) const {
+    return leaf.samples.centre == SampleVertices::kUnasked ||
+           geometry_.is_defined(leaf.samples.centre);
+  }
   /// Takes the middle of side k of a leaf into use.
   void use_middle(const Leaf& leaf, std::size_t k) {
     use_middle(leaf.samples.corner[k], leaf.samples.side[k], leaf.samples.corner[(k + 1) % 4]);

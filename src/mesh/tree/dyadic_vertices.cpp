@@ -13,6 +13,7 @@ DyadicVertices::DyadicVertices(const Grid& grid, RevisionClock& revisions)
       used_(grid.vertex_count(), 1),
       beside_middle_(grid.vertex_count(), 0),
       beside_feature_(grid.vertex_count(), 0),
+      first_forgettable_(grid.vertex_count()),
       used_count_(grid.vertex_count()) {
   sub_grids_[0] = {0, static_cast<std::uint32_t>(grid.u.size())};
 }
@@ -33,9 +34,22 @@ dvec2 DyadicVertices::parameters(DyadicPoint place) const {
 }
 
 std::uint32_t DyadicVertices::vertex_off_grid(DyadicPoint place) {
-  const auto next = static_cast<std::uint32_t>(used_.size());
+  const std::uint32_t next =
+      forgotten_.empty() ? static_cast<std::uint32_t>(used_.size()) : forgotten_.back();
   const std::uint32_t vertex = numbers_.find_or_insert(place, next);
-  return vertex == next ? add(place) : vertex;
+  if (vertex != next) return vertex;
+  new_.push_back(vertex);
+  if (forgotten_.empty()) return add(place);
+  forgotten_.pop_back();
+  places_[vertex - grid_.vertex_count()] = place;
+  return vertex;
+}
+
+void DyadicVertices::forget(std::uint32_t vertex) {
+  DyadicPoint& place = places_[vertex - grid_.vertex_count()];
+  numbers_.erase(place);
+  place.v = kNoIndex;  // it is not forgotten again
+  forgotten_.push_back(vertex);
 }
 
 std::uint32_t DyadicVertices::add(DyadicPoint place) {
@@ -44,6 +58,14 @@ std::uint32_t DyadicVertices::add(DyadicPoint place) {
   beside_middle_.push_back(0);
   beside_feature_.push_back(0);
   return static_cast<std::uint32_t>(used_.size() - 1);
+}
+
+/// The same where the leaf's samples are forgotten.
+std::uint32_t DyadicVertices::forgotten_middle(const Leaf& leaf, std::size_t k) const {
+  const auto& corner = leaf.samples.corner;
+  if (beside_middle_[corner[k]] == 0 || beside_middle_[corner[(k + 1) % 4]] == 0) return kNoIndex;
+  const auto corners = leaf.corners();
+  return middle_between(corners[k], corners[(k + 1) % 4]).value_or(kNoIndex);
 }
 
 DyadicVertices::Lines DyadicVertices::add_sub_grid(std::size_t kind) {
@@ -67,6 +89,7 @@ DyadicVertices::Lines DyadicVertices::add_sub_grid(std::size_t kind) {
   for (const std::uint32_t at_v : v.places) {
     for (const std::uint32_t at_u : u.places) add({at_u, at_v});
   }
+  first_forgettable_ = used_.size();
   if (kind + 1 == kSubGrids) grid_mask_ = kHalfUnit - 1;
   return {std::move(u.parameters), std::move(v.parameters)};
 }

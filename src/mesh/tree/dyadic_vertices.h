@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/numbers.h"
@@ -17,8 +18,9 @@
 namespace saddle {
 
 /// Numbers vertices: those of the root grid first, then others in the order of their creation.
-/// A vertex in use is a corner of leaves; others are samples. Features of sides have vertices of
-/// their own, at places between two neighbours that need not be dyadic.
+/// A vertex in use is a corner of leaves; others are samples, which can be forgotten: new vertices
+/// take their numbers. Features of sides have vertices of their own, at places between two
+/// neighbours that need not be dyadic.
 class DyadicVertices {
  public:
   DyadicVertices(const Grid& grid, RevisionClock& revisions);
@@ -33,15 +35,23 @@ class DyadicVertices {
   std::uint32_t vertex(DyadicPoint place) {
     return is_on_grid(place) ? vertex_on_grid(place) : vertex_off_grid(place);
   }
-  /// Creates the centre vertex of a leaf without a hash lookup; children inherit its number.
-  std::uint32_t vertex_inside(DyadicPoint place) {
-    return is_on_grid(place) ? vertex_on_grid(place) : add(place);
-  }
   /// The vertex at a place, if it is in use.
   std::optional<std::uint32_t> used_vertex(DyadicPoint place) const {
     const std::optional<std::uint32_t> vertex = known_vertex(place);
     return vertex && is_used(*vertex) ? vertex : std::nullopt;
   }
+  /// The vertices that vertex() created since the last call.
+  std::vector<std::uint32_t> take_new() { return std::exchange(new_, {}); }
+  /// Whether vertex() created any since.
+  bool has_new() const { return !new_.empty(); }
+  /// Whether a vertex is a sample that forget() takes: it is neither in use nor on a grid, and
+  /// nothing is known of sides that end at it.
+  bool can_forget(std::uint32_t vertex) const {
+    return vertex >= first_forgettable_ && !is_used(vertex) && !is_on_feature(vertex) &&
+           !is_beside_feature(vertex) && beside_middle_[vertex] == 0;
+  }
+  /// Forgets a vertex. No leaf has its number.
+  void forget(std::uint32_t vertex);
   /// The vertex of the root grid at a place on it.
   std::uint32_t vertex_on_grid(DyadicPoint place) const {
     const SubGrid& grid =
@@ -95,13 +105,12 @@ class DyadicVertices {
     const DyadicPoint from = corners[k];
     const DyadicPoint to = corners[(k + 1) % 4];
     f(leaf.samples.corner[k], from);
-    if (!is_halved(leaf, k)) return;
-    walk_by(leaf.samples.side[k], from, middle_of(from, to), to, f);
+    const std::uint32_t middle = hanging_middle(leaf, k);
+    if (middle != kNoIndex) walk_by(middle, from, middle_of(from, to), to, f);
   }
   /// Whether side k of a leaf has hanging vertices.
   bool is_halved(const Leaf& leaf, std::size_t k) const {
-    const auto& [corner, side, centre] = leaf.samples;
-    return is_used(side[k]) && side[k] != corner[k] && side[k] != corner[(k + 1) % 4];
+    return hanging_middle(leaf, k) != kNoIndex;
   }
 
  private:
@@ -109,13 +118,24 @@ class DyadicVertices {
     return {static_cast<std::uint32_t>((std::uint64_t{from.u} + to.u) / 2),
             static_cast<std::uint32_t>((std::uint64_t{from.v} + to.v) / 2)};
   }
+  /// The vertex in the middle of side k of a leaf, if it is in use; else kNoIndex.
+  std::uint32_t hanging_middle(const Leaf& leaf, std::size_t k) const {
+    const std::uint32_t middle = leaf.samples.side[k];
+    if (middle == SampleVertices::kUnasked) return forgotten_middle(leaf, k);
+    const bool hangs = is_used(middle) && middle != leaf.samples.corner[k] &&
+                       middle != leaf.samples.corner[(k + 1) % 4];
+    return hangs ? middle : kNoIndex;
+  }
+  std::uint32_t forgotten_middle(const Leaf& leaf, std::size_t k) const;
+  std::optional<std::uint32_t> middle_between(DyadicPoint from, DyadicPoint to) const {
+    const DyadicPoint middle = middle_of(from, to);
+    return middle == from || middle == to ? std::nullopt : used_vertex(middle);
+  }
   /// Invariant: a side with hanging vertices has one in its middle, since all come from halving.
   template <class F>
   void walk_between(DyadicPoint from, DyadicPoint to, F& f) const {
-    const DyadicPoint middle = middle_of(from, to);
-    if (middle == from || middle == to) return;
-    const auto vertex = used_vertex(middle);
-    if (vertex) walk_by(*vertex, from, middle, to, f);
+    const auto vertex = middle_between(from, to);
+    if (vertex) walk_by(*vertex, from, middle_of(from, to), to, f);
   }
   template <class F>
   void walk_by(std::uint32_t vertex, DyadicPoint from, DyadicPoint middle, DyadicPoint to,
@@ -157,6 +177,9 @@ class DyadicVertices {
   std::vector<std::uint8_t> beside_middle_;  // ends of a side whose middle went into use
   std::vector<std::uint8_t> beside_feature_;
   std::vector<std::uint32_t> newly_used_;
+  std::vector<std::uint32_t> new_;
+  std::vector<std::uint32_t> forgotten_;  // whose numbers are free
+  std::size_t first_forgettable_;         // number of vertices on grids
   std::size_t used_count_;
 };
 

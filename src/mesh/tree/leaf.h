@@ -20,9 +20,9 @@ struct DyadicPoint {
 };
 
 /// The nine vertices from which the error indicator of a leaf is made, counter-clockwise in (u, v)
-/// from its low corner.
+/// from its low corner. Leaves that passed it may have lost all but their corners.
 struct SampleVertices {
-  /// Not known yet.
+  /// Not known yet, or forgotten.
   static constexpr std::uint32_t kUnasked = ~std::uint32_t{0};
 
   std::array<std::uint32_t, 4> corner = {kUnasked, kUnasked, kUnasked, kUnasked};
@@ -30,6 +30,18 @@ struct SampleVertices {
   std::array<std::uint32_t, 4> side = {kUnasked, kUnasked, kUnasked, kUnasked};
   std::uint32_t centre = kUnasked;
 
+  /// Calls f(vertex) for the samples at middles that are known.
+  template <class F>
+  void for_middles(F f) const {
+    for (const std::uint32_t vertex : side) {
+      if (vertex != kUnasked) f(vertex);
+    }
+    if (centre != kUnasked) f(centre);
+  }
+  void forget_all_but_corners() {
+    side.fill(kUnasked);
+    centre = kUnasked;
+  }
   /// The samples of a half that the whole leaf has, too.
   SampleVertices of_half(bool along_u, bool is_lower) const;
 };

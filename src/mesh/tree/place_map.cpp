@@ -1,13 +1,32 @@
 #include "mesh/tree/place_map.h"
+
+#include <utility>
+
 #include "mesh/grid/grid.h"
 
 namespace saddle {
 
-/// The slot of a key, or the free slot where it would go: linear probing. Source: D. E. Knuth, "The
-/// Art of Computer Programming" 3, section 6.4: multiplicative hashing.
+namespace {
+
+/// A table begins with 2^(32 - 29) = 8 slots: four places, of which a root cell owns three when all
+/// of its samples are stored.
+constexpr std::uint32_t kFirstShift = 29;
+/// A table shrinks to half of its slots when less than an eighth of them are taken.
+constexpr std::uint32_t kSparse = 8;
+/// The shift of a table without slots.
+constexpr std::uint32_t kNoSlots = 32;
+
+}  // namespace
+
+/// The slot of a key within its table, if no other has it: multiplicative hashing.
+std::uint32_t PlaceMap::home_of(const Table& table, std::uint32_t key) {
+  return (key * 0x9e3779b9U) >> table.shift;  // 2^32 / golden ratio
+}
+
+/// The slot of a key, or the free slot where it would go: linear probing.
 std::uint32_t PlaceMap::slot_of(const Table& table, std::uint32_t key) const {
   const std::uint32_t mask = ~std::uint32_t{0} >> table.shift;
-  std::uint32_t slot = (key * 0x9e3779b9U) >> table.shift;  // 2^32 / golden ratio
+  std::uint32_t slot = home_of(table, key);
   while (slots_[table.begin + slot].key != kEmpty && slots_[table.begin + slot].key != key) {
     slot = (slot + 1) & mask;
   }
@@ -35,26 +54,59 @@ std::uint32_t PlaceMap::find_or_insert(DyadicPoint place, std::uint32_t number) 
     if (slots_[slot].key == key) return slots_[slot].number;
   }
   if (2 * ++table.count > size) {
-    grow(table);
+    resize(table, table.shift == kNoSlots ? kFirstShift : table.shift - 1);
     slot = slot_of(table, key);
   }
   slots_[slot] = {key, number};
   return number;
 }
 
-/// Doubles the slots of a table. Its new slots follow those of all tables.
-void PlaceMap::grow(Table& table) {
-  constexpr std::uint32_t kFirstShift = 28;
-  const bool is_first = table.shift == 32;
+void PlaceMap::erase(DyadicPoint place) {
+  Table& table = tables_[table_of(place)];
+  const std::uint32_t mask = ~std::uint32_t{0} >> table.shift;
+  std::uint32_t gap = slot_of(table, key_of(place)) - table.begin;
+  // Keys behind the gap move into it if a search for them would pass it.
+  for (std::uint32_t next = (gap + 1) & mask;; next = (next + 1) & mask) {
+    const Slot& slot = slots_[table.begin + next];
+    if (slot.key == kEmpty) break;
+    const std::uint32_t from_home = (next - home_of(table, slot.key)) & mask;
+    if (from_home < ((next - gap) & mask)) continue;
+    slots_[table.begin + gap] = slot;
+    gap = next;
+  }
+  slots_[table.begin + gap] = {};
+  if (--table.count == 0) {
+    give_back_slots(table);
+    table = {};
+  } else if (kSparse * table.count <= mask && table.shift < kFirstShift) {
+    resize(table, table.shift + 1);
+  }
+}
+
+/// Empty slots for a table of this shift.
+std::uint32_t PlaceMap::take_slots(std::uint32_t shift) {
+  std::vector<std::uint32_t>& known = free_[shift];
+  if (!known.empty()) {
+    const std::uint32_t begin = known.back();
+    known.pop_back();
+    return begin;
+  }
+  const auto begin = static_cast<std::uint32_t>(slots_.size());
+  slots_.resize(slots_.size() + (std::size_t{1} << (32 - shift)));
+  return begin;
+}
+
+/// Gives a table 2^(32 - shift) slots.
+void PlaceMap::resize(Table& table, std::uint32_t shift) {
   const Table old = table;
-  table.shift = is_first ? kFirstShift : table.shift - 1;
-  table.begin = static_cast<std::uint32_t>(slots_.size());
-  slots_.resize(slots_.size() + (std::size_t{1} << (32 - table.shift)));
-  if (is_first) return;
+  table.shift = shift;
+  table.begin = take_slots(shift);
+  if (old.shift == kNoSlots) return;
   for (std::uint32_t k = 0; k < 1U << (32 - old.shift); ++k) {
-    const Slot slot = slots_[old.begin + k];
+    const Slot slot = std::exchange(slots_[old.begin + k], {});
     if (slot.key != kEmpty) slots_[slot_of(table, slot.key)] = slot;
   }
+  give_back_slots(old);
 }
 
 }  // namespace saddle

@@ -1,6 +1,7 @@
 // Vertex numbers by dyadic points.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,7 +14,7 @@ struct Grid;
 
 /// A map from places to vertices, for places that are not on the root grid. Each root cell has a
 /// hash table of its own, with open addressing. Look-ups go cell by cell, so that successive ones
-/// stay in the cache.
+/// stay in the cache. Source: D. E. Knuth, "The Art of Computer Programming" 3, section 6.4.
 class PlaceMap {
  public:
   explicit PlaceMap(const Grid& grid);
@@ -21,6 +22,8 @@ class PlaceMap {
   const std::uint32_t* find(DyadicPoint place) const;
   /// The number stored for a place; stores this one if there is none.
   std::uint32_t find_or_insert(DyadicPoint place, std::uint32_t number);
+  /// Removes a place that is stored.
+  void erase(DyadicPoint place);
 
  private:
   struct Slot {
@@ -42,12 +45,16 @@ class PlaceMap {
   static std::uint32_t key_of(DyadicPoint place) {
     return (place.u % kCellUnit) * kCellUnit + place.v % kCellUnit;
   }
+  static std::uint32_t home_of(const Table& table, std::uint32_t key);
   std::uint32_t slot_of(const Table& table, std::uint32_t key) const;
-  void grow(Table& table);
+  void resize(Table& table, std::uint32_t shift);
+  std::uint32_t take_slots(std::uint32_t shift);
+  void give_back_slots(const Table& table) { free_[table.shift].push_back(table.begin); }
 
   std::size_t pitch_;
   std::vector<Table> tables_;  // of root cells, and of the lines at the far ends
-  std::vector<Slot> slots_;    // of all tables; a table that grows abandons its slots
+  std::vector<Slot> slots_;    // of all tables
+  std::array<std::vector<std::uint32_t>, 32> free_;  // first slots, by the shift of their table
 };
 
 }  // namespace saddle

@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -30,8 +31,7 @@ VertexGeometry::VertexGeometry(const Surface& surface, Grid& grid, DyadicVertice
       effort_(effort),
       regular_(grid.vertex_count(), 1),
       defined_(grid.vertex_count(), 1),
-      singular_cells_(grid),
-      evaluated_(grid.vertex_count()) {
+      singular_cells_(grid) {
   repair_root_grid(threads);
 }
 
@@ -66,86 +66,97 @@ void VertexGeometry::reserve(std::size_t count) {
 
 void VertexGeometry::add_middles(unsigned threads) {
   reserve((2 * grid_.u.size() - 1) * (2 * grid_.v.size() - 1));
+  std::vector<std::uint32_t> middles;
   for (std::size_t kind = 1; kind < DyadicVertices::kSubGrids; ++kind) {
-    append_grid(vertices_.add_sub_grid(kind), threads);
+    const std::vector<std::uint32_t> some = append_grid(vertices_.add_sub_grid(kind), threads);
+    middles.insert(middles.end(), some.begin(), some.end());
   }
-  finish_new(threads);
+  finish_new(middles, threads);
 }
 
-template <class Function>
-void VertexGeometry::append(const NormalColumns& columns, std::size_t count, Function uv) {
-  const double front = surface_.flip ? -1 : 1;
+/// Makes room for the vertices that have no positions yet.
+void VertexGeometry::resize() {
+  const std::size_t count = vertices_.size();
   Mesh& mesh = grid_.mesh;
-  const std::size_t first = mesh.position.size();
-  mesh.position.resize(first + count);
-  mesh.normal.resize(first + count);
-  mesh.uv.resize(first + count);
-  mesh.point.resize(first + count);
-  regular_.resize(first + count, 1);
-  defined_.resize(first + count, 1);
+  // Arrays that grow by doubling would have room for up to twice as many.
+  if (kFewNew * (count - mesh.position.size()) > count) reserve(count);
+  mesh.position.resize(count);
+  mesh.normal.resize(count);
+  mesh.uv.resize(count);
+  mesh.point.resize(count);
+  regular_.resize(count);
+  defined_.resize(count);
+}
+
+template <class Vertex, class Uv>
+void VertexGeometry::store(const NormalColumns& columns, std::size_t count, Vertex vertex, Uv uv) {
+  Mesh& mesh = grid_.mesh;
   for (std::size_t i = 0; i < count; ++i) {
-    const dvec3 position(columns[0][i], columns[1][i], columns[2][i]);
-    const dvec3 normal = front * dvec3(columns[kNormalColumn][i], columns[kNormalColumn + 1][i],
-                                       columns[kNormalColumn + 2][i]);
-    // |r_u x r_v| is compared with |r_u| |r_v|; each may be infinite or 0.
-    const double scale =
-        std::sqrt(columns[kSquareUColumn][i]) * std::sqrt(columns[kSquareVColumn][i]);
-    // min(1, undefined) is undefined, but may have the derivatives of 1.
-    const bool regular = columns[kAreaColumn][i] > kDegenerateCross * scale && is_finite(normal) &&
-                         is_finite(position);
-    const std::size_t vertex = first + i;
-    mesh.position[vertex] = position;
-    mesh.normal[vertex] = regular ? normal : dvec3(0);
-    mesh.uv[vertex] = uv(i);
-    mesh.point[vertex] = static_cast<std::uint32_t>(vertex);
-    if (!regular) make_singular(static_cast<std::uint32_t>(vertex));
-    defined_[vertex] = is_finite(position) ? 1 : 0;
-    if (!regular && is_finite(position) && is_finite(normal)) steep_.push_back(vertex);
+    const auto& [position, normal, regular] = column_point(columns, i, surface_.flip);
+    const std::uint32_t to = vertex(i);
+    mesh.position[to] = position;
+    mesh.normal[to] = regular ? normal : dvec3(0);
+    mesh.uv[to] = uv(i);
+    mesh.point[to] = to;
+    regular_[to] = 1;
+    if (!regular) make_singular(to);
+    defined_[to] = is_finite(position) ? 1 : 0;
+    if (!regular && is_finite(position) && is_finite(normal)) steep_.push_back(to);
   }
   evaluations_ += count;
   effort_.add_samples(count);
 }
 
-void VertexGeometry::append_places(const std::vector<double>& u, const std::vector<double>& v,
-                                   unsigned threads) {
-  append(evaluate_normals(surface_, u, v, threads), u.size(),
-         [&](std::size_t i) { return dvec2(u[i], v[i]); });
+void VertexGeometry::evaluate_at(std::span<const std::uint32_t> vertices, std::span<const double> u,
+                                 std::span<const double> v, unsigned threads) {
+  store(
+      evaluate_normals(surface_, u, v, threads), vertices.size(),
+      [&](std::size_t i) { return vertices[i]; }, [&](std::size_t i) { return dvec2(u[i], v[i]); });
 }
 
-void VertexGeometry::append_grid(const DyadicVertices::Lines& lines, unsigned threads) {
-  const std::vector<double>& u = lines.u;
-  const std::vector<double>& v = lines.v;
-  append(evaluate_normals_on_grid(surface_, u, v, threads), u.size() * v.size(),
-         [&](std::size_t i) { return dvec2(u[i % u.size()], v[i / u.size()]); });
+/// Evaluates the last vertices, which are a grid. Returns them.
+std::vector<std::uint32_t> VertexGeometry::append_grid(const DyadicVertices::Lines& lines,
+                                                       unsigned threads) {
+  const auto& [u, v] = lines;
+  std::vector<std::uint32_t> vertices(u.size() * v.size());
+  std::iota(vertices.begin(), vertices.end(),
+            static_cast<std::uint32_t>(vertices_.size() - vertices.size()));
+  resize();
+  store(
+      evaluate_normals_on_grid(surface_, u, v, threads), vertices.size(),
+      [&](std::size_t i) { return vertices[i]; },
+      [&](std::size_t i) { return dvec2(u[i % u.size()], v[i / u.size()]); });
+  return vertices;
 }
 
-void VertexGeometry::evaluate(unsigned threads) {
-  if (evaluated_ == vertices_.size()) return;
-  // Arrays that grow by doubling would have room for up to twice as many.
-  if (kFewNew * (vertices_.size() - evaluated_) > vertices_.size()) reserve(vertices_.size());
+std::vector<std::uint32_t> VertexGeometry::evaluate(unsigned threads) {
+  const std::vector<std::uint32_t> vertices = vertices_.take_new();
+  resize();
   std::vector<double> u;
   std::vector<double> v;
-  for (std::size_t vertex = evaluated_; vertex < vertices_.size();) {
+  for (std::span<const std::uint32_t> rest = vertices; !rest.empty();) {
+    const auto some = rest.first(std::min(rest.size(), kKeptAtATime));
+    rest = rest.subspan(some.size());
     u.clear();
     v.clear();
-    for (; vertex < vertices_.size() && u.size() < kKeptAtATime; ++vertex) {
-      const dvec2 uv = vertices_.parameters(vertices_.place(static_cast<std::uint32_t>(vertex)));
+    for (const std::uint32_t vertex : some) {
+      const dvec2 uv = vertices_.parameters(vertices_.place(vertex));
       u.push_back(uv.x);
       v.push_back(uv.y);
     }
-    append_places(u, v, threads);
+    evaluate_at(some, u, v, threads);
   }
-  finish_new(threads);
+  finish_new(vertices, threads);
+  return vertices;
 }
 
-void VertexGeometry::finish_new(unsigned threads) {
+void VertexGeometry::finish_new(std::span<const std::uint32_t> vertices, unsigned threads) {
   take_known_normals();
   std::vector<std::uint32_t> undefined;
-  for (auto vertex = static_cast<std::uint32_t>(evaluated_); vertex < vertices_.size(); ++vertex) {
+  for (const std::uint32_t vertex : vertices) {
     join_pole(vertex);
     if (!is_defined(vertex)) undefined.push_back(vertex);
   }
-  evaluated_ = vertices_.size();
   fill_removable(undefined, threads);
   replace_rounding(threads);
 }
@@ -271,18 +282,18 @@ void VertexGeometry::fill_from_ends(const Between& between, std::size_t vertex) 
 }
 
 std::uint32_t VertexGeometry::add_inside(std::span<const InnerPlace> places, unsigned threads) {
-  assert(evaluated_ == vertices_.size());
-  const auto first = static_cast<std::uint32_t>(vertices_.size());
+  assert(!vertices_.has_new());
+  std::vector<std::uint32_t> vertices;
   std::vector<double> u;
   std::vector<double> v;
   for (const InnerPlace& inner : places) {
-    vertices_.add_between(inner.place);
+    vertices.push_back(vertices_.add_between(inner.place));
     u.push_back(inner.uv.x);
     v.push_back(inner.uv.y);
   }
-  append_places(u, v, threads);
-  evaluated_ = vertices_.size();
-  return first;
+  resize();
+  evaluate_at(vertices, u, v, threads);
+  return vertices.empty() ? static_cast<std::uint32_t>(vertices_.size()) : vertices.front();
 }
 
 void VertexGeometry::join(std::uint32_t from, std::uint32_t to) {

@@ -47,8 +47,12 @@ class VertexGeometry {
   /// Creates and evaluates the middles of the root cells and of their sides. As three grids they
   /// take a fraction of the time of single places.
   void add_middles(unsigned threads);
-  /// Evaluates the vertices that are new.
-  void evaluate(unsigned threads);
+  /// Evaluates the vertices that are new, and returns them.
+  std::vector<std::uint32_t> evaluate(unsigned threads);
+  /// Whether a vertex is a sample that can be forgotten; nothing is special at it.
+  bool can_forget(std::uint32_t vertex) const {
+    return is_regular(vertex) && is_defined(vertex) && vertices_.can_forget(vertex);
+  }
   /// Creates and evaluates vertices between neighbours, with consecutive numbers. Returns the
   /// first. All other vertices have been evaluated.
   std::uint32_t add_between(std::span<const Between> places, unsigned threads);
@@ -94,12 +98,14 @@ class VertexGeometry {
 
  private:
   void reserve(std::size_t count);
-  void append_places(const std::vector<double>& u, const std::vector<double>& v, unsigned threads);
-  void append_grid(const DyadicVertices::Lines& lines, unsigned threads);
-  /// Appends what was computed at uv(i) to the mesh, for vertices that have numbers.
-  template <class Function>
-  void append(const NormalColumns& columns, std::size_t count, Function uv);
-  void finish_new(unsigned threads);
+  void resize();
+  void evaluate_at(std::span<const std::uint32_t> vertices, std::span<const double> u,
+                   std::span<const double> v, unsigned threads);
+  std::vector<std::uint32_t> append_grid(const DyadicVertices::Lines& lines, unsigned threads);
+  /// Stores what was computed at uv(i) for vertex(i).
+  template <class Vertex, class Uv>
+  void store(const NormalColumns& columns, std::size_t count, Vertex vertex, Uv uv);
+  void finish_new(std::span<const std::uint32_t> vertices, unsigned threads);
   void repair_root_grid(unsigned threads);
   void fill_removable(std::span<const std::uint32_t> undefined, unsigned threads);
   void note_rounding(std::span<const std::size_t> vertices, std::span<const SurfacePoint> points);
@@ -120,7 +126,6 @@ class VertexGeometry {
   CellMarks singular_cells_;
   std::map<std::uint32_t, PointSingularity> singularities_;
   bool has_poles_ = false;
-  std::size_t evaluated_;               // vertices that have been evaluated
   std::vector<std::size_t> steep_;      // new ones whose tangents are almost parallel
   std::vector<std::uint32_t> rounded_;  // whose positions are rounding, and not replaced yet
   std::size_t evaluations_ = 0;

@@ -289,6 +289,42 @@ TEST(AdaptiveMesh, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one.mesh.triangles, three.mesh.triangles);
 }
 
+MeshResult with_few_samples_in_memory(const Surface& surface, MeshRequest request) {
+  request.leaves_at_a_time = 20;
+  return try_mesh(surface, request).value();
+}
+
+/// Leaves that are estimated later know the halvings of others: a side that is halved is no edge.
+TEST(AdaptiveMesh, IsAsGoodHoweverFewSamplesAreInMemory) {
+  for (const Case& c : cases()) {
+    const MeshResult known = mesh_of(c, 1e-3);
+    const MeshResult forgotten = with_few_samples_in_memory(surface_of(c), within_share(1e-3));
+    EXPECT_LE(forgotten.report.max_error, *forgotten.report.tolerance) << c.name;
+    EXPECT_EQ(euler_number(forgotten.mesh), euler_number(known.mesh)) << c.name;
+    for (const auto& [edge, count] : edge_counts(forgotten.mesh)) ASSERT_LE(count, 2) << c.name;
+    const auto cells = static_cast<double>(known.report.cells);
+    EXPECT_NEAR(static_cast<double>(forgotten.report.cells), cells, 0.05 * cells) << c.name;
+  }
+}
+
+TEST(AdaptiveMesh, FollowsFeaturesHoweverManySamplesAreInMemory) {
+  for (const char* z :
+       {"floor(3*sin(u*v))", "sqrt(1-u^2-v^2)", "1/(u-v)", "abs(sin(3*u)*v)", "(u^2+v^2<0.003)?1:0",
+        "tanh(1e4*(u^2+v^2-0.5))", "u*v/(u^2+v^2)", "sqrt(u)+sqrt(v)", "min(u,v)^(1/3)"}) {
+    const Surface surface = height_field(z, {-1.1, 1, -1.05, 1});
+    const MeshRequest request = within_share(1e-3);
+    const MeshReport forgotten = with_few_samples_in_memory(surface, request).report;
+    const MeshReport known = try_mesh(surface, request)->report;
+    EXPECT_LT(forgotten.max_error, 1.02 * std::max(known.max_error, *known.tolerance)) << z;
+    EXPECT_EQ(forgotten.pole_count > 0, known.pole_count > 0) << z;
+    EXPECT_EQ(forgotten.jump_count > 0, known.jump_count > 0) << z;
+    EXPECT_NEAR(forgotten.undefined_fraction, known.undefined_fraction, 1e-3) << z;
+    EXPECT_NEAR(static_cast<double>(forgotten.cells), static_cast<double>(known.cells),
+                0.02 * static_cast<double>(known.cells))
+        << z;
+  }
+}
+
 TEST(AdaptiveMesh, LeavesToTheUniformGridWhatIsDefinedNowhere) {
   const Surface nowhere = height_field("sqrt(-1-u^2)");
   EXPECT_FALSE(try_mesh(nowhere, within_share(1e-3)).has_value());

@@ -33,10 +33,9 @@ Proof prove_parabola(std::size_t patches, double allowed) {
     u.push_back(static_cast<double>(k) / static_cast<double>(patches));
   }
   const std::array<double, 2> v = {0, 1};
-  std::vector<Patch> all;
-  for (std::size_t k = 0; k < patches; ++k) {
-    all.push_back({{{u[k], 0}, {u[k + 1], 1}}, allowed, k, std::nullopt});
-  }
+  const Patches all{patches, [&](std::size_t k) {
+                      return Patch{{{u[k], 0}, {u[k + 1], 1}}, allowed, k, std::nullopt};
+                    }};
   Proof proof;
   const MeasureBoxes measure = [&](std::span<const BoundedBox> boxes) {
     for (const BoundedBox& box : boxes) proof.farthest = std::max(proof.farthest, box.reach);
