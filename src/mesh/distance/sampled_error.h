@@ -17,6 +17,8 @@ struct SampledError {
   double distance = 0;     ///< in units of length; 0 if the surface is undefined
   double degrees = 0;      ///< between the exact and the interpolated normal; 0 without one
   bool on_crease = false;  ///< measured from a crease's chord
+  /// Whether a boundary or a jump is farther than the tolerance from the chord in its place.
+  bool is_off_chord = false;
   /// The place of `distance`; nothing at a validation place of a plain leaf, or of the mesh.
   std::optional<dvec2> uv = {};
 };

@@ -216,7 +216,7 @@ void Validator::validate_one_by_one(ValidatedMesh& mesh, std::span<const std::si
     if (!seen.triangles && !crease) {
       d.distance = distance_from(grid_, of_leaf, place, points[s].position);
     }
-    if (d.distance > worst.distance) worst = {d.distance, worst.degrees, d.on_crease, place};
+    if (d.distance > worst.distance) worst = {d.distance, worst.degrees, d.on_crease, false, place};
     if (!beside_cut) worst.degrees = std::max(worst.degrees, d.degrees);
   }
 }
@@ -374,6 +374,7 @@ void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
       boundaries.add(mesh.leaves[which[k]], which[k], triangles.of(k), mesh.allowed[which[k]]);
   }
   for (const auto& [leaf, distance, is_at_jump, uv] : boundaries.measure()) {
+    if (distance > mesh.allowed[leaf]) mesh.sampled_errors[leaf].is_off_chord = true;
     if (is_at_jump && distance > mesh.sampled_errors[leaf].distance)
       mesh.sampled_errors[leaf].on_crease = true;
     mesh.add(leaf, distance, uv);

@@ -261,6 +261,7 @@ void AdaptiveMesher::place_inner_vertices(std::size_t first) {
     const Leaf& leaf = mesh_.leaves[k];
     if (leaf.state.is_whole() || leaf.state.leads_to_pole() || is_clipped(leaf)) continue;
     if (is_refined() && !leaf.state.may_be_halved()) continue;
+    if (leaf.state.is_cut_smoothly() && !mesh_.sampled_errors[k].is_off_chord) continue;
     if (!unresolvable) unresolvable.emplace(oscillation());
     if (unresolvable->contains(leaf, tree_)) continue;
     if (request_.clip && crosses_box(leaf)) continue;
@@ -430,9 +431,11 @@ std::vector<Leaf> AdaptiveMesher::halve_failed() {
         is_cut ? halve_cut(k) : halve(leaf, direction_.is_across_u(k, predicted_), tree_);
     if (!both) continue;
     failed.push_back(k);
-    // The error at a feature says nothing about the size of leaves.
+    // The error at a feature says nothing about the size of leaves beside it, and those at a
+    // boundary do not add up.
     const double safety = is_cut ? 1 : std::clamp(distance_ratio, 1.0, kMostSafety);
     for (Leaf half : *both) {
+      if (leaf.state.is_on_boundary()) half.safety = 1;
       half.safety *= static_cast<float>(safety);
       half.normal_safety *= static_cast<float>(std::clamp(normal_ratio, 1.0, kMostSafety));
       halves.push_back(half);

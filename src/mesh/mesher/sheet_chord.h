@@ -1,10 +1,13 @@
 // The chord of a sheet's edge between two points of its cell, and the geometry of its corner.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -37,9 +40,10 @@ struct SheetChord {
   /// The first and the last node, if any, whose rays leave the sheet through the point where it
   /// touches another one.
   std::optional<std::array<std::size_t, 2>> slipping = {};
-  bool touches = false;  ///< its edge is a boundary, with such a corner
-  bool is_near = false;  ///< the chord is within the tolerance; only a corner counts
-  bool is_open = true;   ///< its corner is looked for
+  bool touches = false;    ///< its edge is a boundary, with such a corner
+  bool is_near = false;    ///< the chord is within the tolerance; only a corner counts
+  bool is_smooth = false;  ///< its edge turns too little for a corner
+  bool is_open = true;     ///< its corner is looked for
   bool is_found = false;
 
   dvec2 at(double share) const { return glm::mix(ends[0], ends[1], share); }
@@ -53,6 +57,34 @@ inline double turn_between(const dvec2& a, const dvec2& b) {
 inline double distance_from_chord_of(const SheetChord& chord, const dvec2& place) {
   const dvec2 way = chord.ends[1] - chord.ends[0];
   return std::fabs(cross(way, place - chord.ends[0])) / glm::length(way);
+}
+
+/// Calls f(chords) for each leaf; chords of a leaf follow one another.
+template <class F>
+void for_leaves_of(std::span<const SheetChord> chords, F f) {
+  const auto is_of_other = [](const SheetChord& a, const SheetChord& b) {
+    return a.leaf != b.leaf;
+  };
+  for (auto begin = chords.begin(); begin != chords.end();) {
+    auto end = std::adjacent_find(begin, chords.end(), is_of_other);
+    if (end != chords.end()) ++end;
+    f(std::span(begin, end));
+    begin = end;
+  }
+}
+
+/// The chord of a leaf with the sharpest corner, or else the one whose edge is farthest from it;
+/// nullptr if no place was found.
+inline const SheetChord* main_chord(std::span<const SheetChord> chords) {
+  const SheetChord* main = nullptr;
+  for (const SheetChord& chord : chords) {
+    if (!chord.is_found) continue;
+    const auto rank = [](const SheetChord& c) {
+      return std::pair(c.turn, distance_from_chord_of(c, c.corner));
+    };
+    if (main == nullptr || rank(chord) > rank(*main)) main = &chord;
+  }
+  return main;
 }
 
 /// Whether a place is clearly on the side of a chord where its sheet is.

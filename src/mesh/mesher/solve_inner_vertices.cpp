@@ -101,7 +101,7 @@ class Solver {
           chord.from = place(i);
         }
         chord.is_open = height > kNearly;
-        chord.is_near = mesh_.is_near(number);
+        chord.is_near = !mesh_.sampled_errors[number].is_off_chord;
         chords_.push_back(chord);
       }
     }
@@ -174,7 +174,8 @@ class Solver {
     }
   }
 
-  /// Closes the chords that are near enough and have no corner.
+  /// Closes the chords that are near enough and have no corner. Notes the leaves of which no half
+  /// can have one.
   void glance() {
     const auto shares_of = [](const SheetChord& chord) {
       return chord.is_near ? std::span<const double>(kAlongLine) : std::span<const double>();
@@ -191,6 +192,11 @@ class Solver {
       const double sum = std::fabs(turns[0]) + std::fabs(turns[1]) + std::fabs(turns[2]);
       const double sharp = std::max(std::fabs(turns[0] + turns[1]), std::fabs(turns[1] + turns[2]));
       chord.is_open = sharp > kGlanceAtCorner * sum && sharp > kLeastCorner;
+      chord.is_smooth = sum <= kLeastCorner;
+    });
+    for_leaves_of(chords_, [this](std::span<const SheetChord> chords) {
+      if (std::ranges::all_of(chords, &SheetChord::is_smooth))
+        mesh_.leaves[chords[0].leaf].state.note_smooth_cut();
     });
   }
 
@@ -281,19 +287,6 @@ class Solver {
     set_bracket(first - 2, last + 2, share, chord);
   }
 
-  /// The chord of a leaf with the sharpest corner, or else the one whose edge is farthest from it.
-  const SheetChord* main_chord(std::span<const SheetChord> chords) const {
-    const SheetChord* main = nullptr;
-    for (const SheetChord& chord : chords) {
-      if (!chord.is_found) continue;
-      const auto rank = [](const SheetChord& c) {
-        return std::pair(c.turn, distance_from_chord_of(c, c.corner));
-      };
-      if (main == nullptr || rank(chord) > rank(*main)) main = &chord;
-    }
-    return main;
-  }
-
   /// A place a little farther on the ray to a corner of the feature, in the leaf.
   static dvec2 beyond(const dvec2& from, const dvec2& corner) {
     if (glm::distance(from, corner) <= kNearly) return from;
@@ -336,20 +329,16 @@ class Solver {
     std::vector<Line> rays;
     std::vector<const SheetChord*> chords;
     std::vector<dvec2> corners;
-    for (std::size_t begin = 0; begin < chords_.size();) {
-      std::size_t end = begin;
-      while (end < chords_.size() && chords_[end].leaf == chords_[begin].leaf) ++end;
-      const auto of_leaf = std::span(chords_).subspan(begin, end - begin);
-      if (const SheetChord* const main = main_chord(of_leaf)) {
-        for (const SheetChord& chord : of_leaf) {
-          leaves.push_back(chord.leaf);
-          rays.push_back({chord.from, beyond(chord.from, main->corner)});
-          chords.push_back(&chord);
-          corners.push_back(main->corner);
-        }
+    for_leaves_of(chords_, [&](std::span<const SheetChord> of_leaf) {
+      const SheetChord* const main = main_chord(of_leaf);
+      if (main == nullptr) return;
+      for (const SheetChord& chord : of_leaf) {
+        leaves.push_back(chord.leaf);
+        rays.push_back({chord.from, beyond(chord.from, main->corner)});
+        chords.push_back(&chord);
+        corners.push_back(main->corner);
       }
-      begin = end;
-    }
+    });
     const auto edges = edges_on(leaves, rays, kAllHalvings);
     for (std::size_t k = 0; k < chords.size(); ++k)
       rays[k][1] = before(chords[k]->from, corners[k]);

@@ -42,6 +42,8 @@ class LeafState {
   bool is_left_out() const { return is_left_out_; }
   /// The leaf is left out since its features do not part it clearly.
   bool is_too_small() const { return is_too_small_; }
+  /// The lines that cut the leaf, or a leaf that it is a part of, have no corners in it.
+  bool is_cut_smoothly() const { return is_cut_smoothly_; }
 
   /// A sample of the leaf is undefined.
   void cross_boundary() { set_cut(true, is_cut_by_feature()); }
@@ -65,6 +67,8 @@ class LeafState {
   void thaw() {
     if (progress_ == LeafProgress::Frozen) progress_ = LeafProgress::Active;
   }
+  /// The lines were looked at.
+  void note_smooth_cut() { is_cut_smoothly_ = true; }
   void stop_at_oscillation() { progress_ = LeafProgress::Oscillating; }
   void leave_out() { is_left_out_ = true; }
   /// The leaf is too small to see or to halve, and its features do not part it clearly.
@@ -86,9 +90,10 @@ class LeafState {
 
   LeafCut cut_ = LeafCut::Nothing;
   LeafProgress progress_ = LeafProgress::Active;
-  bool leads_to_pole_ = false;
-  bool is_left_out_ = false;
-  bool is_too_small_ = false;
+  bool leads_to_pole_ : 1 = false;
+  bool is_left_out_ : 1 = false;
+  bool is_too_small_ : 1 = false;
+  bool is_cut_smoothly_ : 1 = false;
 };
 
 }  // namespace saddle

@@ -150,6 +150,14 @@ TEST(Rims, AreCirclesAroundAHemisphere) {
   EXPECT_EQ(triangles_against_normals(mesh), 0U);
 }
 
+/// A slanting boundary cannot have long cells along it. A sphere takes 33,000 triangles in all.
+TEST(Rims, LeaveTheMeshBesideThemAsCoarseAsItMayBe) {
+  const MeshResult result = mesh_of_rim("sqrt(1-u^2-v^2)", 1e-4);
+  EXPECT_LE(result.report.max_error, *result.report.tolerance);
+  EXPECT_LT(result.mesh.triangles.size(), 45'000U);
+  EXPECT_LT(result.report.evaluations, 4'000'000U);
+}
+
 TEST(Rims, AreWhereLinesEnd) {
   const Mesh mesh = try_mesh(height_field("sqrt(1-u^2-v^2)"), within_share(1e-3)).value().mesh;
   const std::map<PointEdge, int> edges = edge_counts(mesh);
