@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <glm/common.hpp>
 
@@ -37,14 +38,16 @@ struct CreaseSearch {
   Line left;                      ///< the part that holds the crease
   std::array<dvec3, 2> position;  ///< of its ends
   std::array<dvec3, 2> normal;    ///< at the ends of the line
-  bool is_cusp;
+  double cosine;                  ///< of the angle between these
   double first_way = 0;  ///< length of the whole line's image
   double way = 0;        ///< length of the image of `left`
   int halvings = 0;
 
-  /// Whether there is no cusp, and the surface is not upright.
+  /// Whether there is no cusp, and the surface is not upright. Across a cusp normals are nearly
+  /// opposite; towards an upright surface they turn less.
   bool is_plain() const {
-    return !is_cusp && halvings == kHalvingsOfSecondOrder && way <= kPlainShare * first_way;
+    if (halvings != kHalvingsOfSecondOrder || cosine < -kSteepCosine) return false;
+    return !(cosine < kSteepCosine) || way <= kPlainShare * first_way;
   }
   bool is_done() const {
     const bool has_arrived = halvings >= kHalvingsOfSecondOrder && !(way > kArrived * first_way);
@@ -56,14 +59,14 @@ std::vector<CreaseSearch> searches_on(const Surface& surface, std::span<const Li
                                       unsigned threads) {
   const std::vector<SurfacePoint> first = evaluate(surface, ends_of(lines, 0), threads);
   const std::vector<SurfacePoint> last = evaluate(surface, ends_of(lines, 1), threads);
+  const double least_turn = std::cos(kCreaseDegrees * std::numbers::pi / 180);
   std::vector<CreaseSearch> searches;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const std::array normal = {glm::normalize(area_of(first[k])), glm::normalize(area_of(last[k]))};
     const double cosine = glm::dot(normal[0], normal[1]);
-    // Across a cusp normals are nearly opposite; towards an upright surface they turn less.
-    if (!(cosine < kSteepCosine)) continue;
+    if (!(cosine < least_turn)) continue;
     const std::array position = {first[k].position, last[k].position};
-    searches.push_back({k, lines[k], position, normal, cosine < -kSteepCosine});
+    searches.push_back({k, lines[k], position, normal, cosine});
   }
   return searches;
 }
@@ -173,10 +176,10 @@ std::vector<dvec2> places_above(const Surface& surface, std::span<const MiddleOf
 
 }  // namespace
 
-std::vector<dvec2> crease_places(const Surface& surface, std::span<const Line> lines,
-                                 unsigned threads) {
-  std::vector<dvec2> places;
-  for (const Line& line : lines) places.push_back(middle_of(line));
+std::vector<std::optional<CreasePlace>> crease_places(const Surface& surface,
+                                                      std::span<const Line> lines,
+                                                      unsigned threads) {
+  std::vector<std::optional<CreasePlace>> places(lines.size());
   std::vector<CreaseSearch> searches = searches_on(surface, lines, threads);
   std::vector<std::size_t> open = all_open(searches.size());
   const auto next = [](const CreaseSearch& search) { return middle_of(search.left); };
@@ -185,9 +188,8 @@ std::vector<dvec2> crease_places(const Surface& surface, std::span<const Line> l
     return search.is_plain() || search.is_done();
   };
   bisect_together(surface, searches, open, kAllHalvings, threads, next, is_done);
-  for (const CreaseSearch& search : searches) {
-    if (!search.is_plain()) places[search.number] = search.left[0];
-  }
+  for (const CreaseSearch& search : searches)
+    places[search.number] = CreasePlace{search.left[0], search.is_plain()};
   return places;
 }
 
