@@ -19,12 +19,9 @@
 namespace saddle {
 namespace {
 
-/// At least so many places on a line of constant u or v are told as one.
-constexpr std::size_t kFewestOfLine = 12;
-
 /// A line is told in parts where nothing is found on more than this share of its range. A line of
 /// so many places is on a mesh of at least as many cells.
-constexpr double kGapOfLine = 2.5 / kFewestOfLine;
+constexpr double kGapOfLine = 2.5 / kManyOfLine;
 
 using Indices = std::vector<std::size_t>;
 
@@ -190,11 +187,11 @@ std::vector<PlaceGroup> take_lines(std::span<const dvec2> places, const Domain& 
   const dvec2 extent = extents(domain);
   std::vector<PlaceGroup> lines;
   Indices candidates = left;
-  while (candidates.size() >= kFewestOfLine) {
+  while (candidates.size() >= kManyOfLine) {
     const PlaceGroup along_v = longest_line(places, candidates, 0, extent.x);
     const PlaceGroup along_u = longest_line(places, candidates, 1, extent.y);
     const PlaceGroup& longer = along_v.members.size() > along_u.members.size() ? along_v : along_u;
-    if (longer.members.size() < kFewestOfLine) break;
+    if (longer.members.size() < kManyOfLine) break;
     const auto is_member = [&](std::size_t k) {
       return std::ranges::find(longer.members, k) != longer.members.end();
     };

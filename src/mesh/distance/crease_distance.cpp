@@ -14,12 +14,8 @@ namespace saddle {
 
 namespace {
 
-/// The part of a line that is left after kHalvingsOfSecondOrder. An upright surface moves far while
-/// its parameters hardly change: bisection goes on until its image is shorter than that part of the
-/// first, too, or for kAllHalvings.
-constexpr double kArrived = 1.0 / (1 << kHalvingsOfSecondOrder);
 /// The surface is not upright if 12 halvings shorten a line's image to 1/512. The image of a root
-/// shortens to 1/64, that of a crease with finite slopes to little more than kArrived.
+/// shortens to 1/64, that of a crease with finite slopes to little more than kOfSecondOrder.
 constexpr double kPlainShare = 1.0 / 512;
 
 dvec3 area_of(const SurfacePoint& p) {
@@ -39,8 +35,8 @@ struct CreaseSearch {
   std::array<dvec3, 2> position;  ///< of its ends
   std::array<dvec3, 2> normal;    ///< at the ends of the line
   double cosine;                  ///< of the angle between these
-  double first_way = 0;  ///< length of the whole line's image
-  double way = 0;        ///< length of the image of `left`
+  double first_way = 0;           ///< length of the whole line's image
+  double way = 0;                 ///< length of the image of `left`
   int halvings = 0;
 
   /// Whether there is no cusp, and the surface is not upright. Across a cusp normals are nearly
@@ -49,8 +45,11 @@ struct CreaseSearch {
     if (halvings != kHalvingsOfSecondOrder || cosine < -kSteepCosine) return false;
     return !(cosine < kSteepCosine) || way <= kPlainShare * first_way;
   }
+  /// An upright surface moves far while its parameters hardly change: bisection goes on until its
+  /// image is short, too, or for kAllHalvings.
   bool is_done() const {
-    const bool has_arrived = halvings >= kHalvingsOfSecondOrder && !(way > kArrived * first_way);
+    const bool has_arrived =
+        halvings >= kHalvingsOfSecondOrder && !(way > kOfSecondOrder * first_way);
     return has_arrived || has_no_middle(left);
   }
 };
@@ -165,7 +164,8 @@ std::vector<dvec2> places_above(const Surface& surface, std::span<const MiddleOf
     const double beyond = glm::dot(position - search.chord->middle(), along);
     search.place = middle;
     search.left[beyond < 0 ? 0 : 1] = middle;
-    return std::fabs(beyond) <= kArrived * glm::dot(along, along) || has_no_middle(search.left);
+    return std::fabs(beyond) <= kOfSecondOrder * glm::dot(along, along) ||
+           has_no_middle(search.left);
   };
   bisect_together(surface, searches, open, kHalvingsToLeast, threads, next, is_done);
   std::vector<dvec2> places;

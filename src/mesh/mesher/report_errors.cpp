@@ -24,12 +24,10 @@ namespace saddle {
 
 namespace {
 
-/// The largest leaves are searched for what samples miss: 1/16 of all, but kInBatch at least. A
-/// grid of given cells is searched everywhere: nothing else chose them.
-constexpr std::size_t kSearchedPart = 16;
-
-/// Oscillating leaves are waves if they are one in 16; fewer are parts of a ridge.
-constexpr std::ptrdiff_t kWaves = 16;
+/// One leaf in 16 is a small part of all. As many of the largest leaves, but kInBatch at least, are
+/// searched for what samples miss; a grid of given cells is searched everywhere: nothing else chose
+/// them. Oscillating leaves are waves if they are more; fewer are parts of a ridge.
+constexpr std::size_t kFewOfAll = 16;
 /// The search climbs from the worst kMostFollowed leaves, with 160 evaluations each. Bounds are
 /// followed in up to kMostOpen leaves of each kind, then over up to 8,192 boxes: or over the share
 /// of searches that the surface may have.
@@ -156,10 +154,11 @@ class ErrorReporter {
         mesh_(mesher.mesh()),
         tree_(mesher.tree()),
         grid_(mesher.grid()),
-        has_waves_(kWaves * std::ranges::count_if(
-                                mesher.mesh().leaves,
-                                [](const Leaf& leaf) { return leaf.state.oscillates(); }) >
-                   std::ssize(mesher.mesh().leaves)),
+        has_waves_(
+            static_cast<std::ptrdiff_t>(kFewOfAll) *
+                std::ranges::count_if(mesher.mesh().leaves,
+                                      [](const Leaf& leaf) { return leaf.state.oscillates(); }) >
+            std::ssize(mesher.mesh().leaves)),
         tolerance_(mesher.coarser() * *report.tolerance),
         strictest_(report.rounding ? std::numeric_limits<double>::infinity() : tolerance_) {}
 
@@ -245,7 +244,8 @@ class ErrorReporter {
     return mesh_.sampled_errors[k].uv && leaf.state.is_on_boundary() && !leaf.state.is_left_out();
   }
 
-  /// Whether the surface ends in a leaf: triangles of other leaves may be nearer to it than its own.
+  /// Whether the surface ends in a leaf: triangles of other leaves may be nearer to it than its
+  /// own.
   bool has_edge(const Leaf& leaf) const {
     return leaf.state.is_on_boundary() && !is_beyond_search(leaf) &&
            !has_cut(FeatureKind::Jump, leaf, tree_) && !mesher_.crosses_box(leaf);
@@ -254,8 +254,8 @@ class ErrorReporter {
   /// Appends the places of the surface that are far off beside its edges. Returns the largest error
   /// at the edges of the mesh, which its other triangles do not reduce.
   PlacedError append_edges(const Surface& surface, const MeshRequest& request,
-                            std::span<const std::size_t> suspects, const LeafTriangles& triangles,
-                            std::span<SearchedLeaf> suspected) const {
+                           std::span<const std::size_t> suspects, const LeafTriangles& triangles,
+                           std::span<SearchedLeaf> suspected) const {
     BoundaryDistance edges(surface, grid_, tree_, request.clip, request.threads);
     for (std::size_t i = 0; i < suspects.size(); ++i) {
       const std::size_t k = suspects[i];
@@ -355,7 +355,7 @@ class ErrorReporter {
     std::ranges::stable_sort(which, std::ranges::greater(), [this](std::size_t k) {
       return static_cast<double>(mesh_.leaves[k].size_u()) * mesh_.leaves[k].size_v();
     });
-    which.resize(std::min(which.size(), std::max(kInBatch, mesh_.leaves.size() / kSearchedPart)));
+    which.resize(std::min(which.size(), std::max(kInBatch, mesh_.leaves.size() / kFewOfAll)));
   }
 
   const AdaptiveMesher& mesher_;
