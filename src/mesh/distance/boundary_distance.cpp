@@ -316,7 +316,7 @@ void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
     const EdgeChord& chord = chords_[k];
     found.push_back(
         {chord.leaf, distance_from_edge(chord, chord.triangles, boundary[k], at_boundary[k])});
-    // What the mesh lacks may be in other leaves' triangles; what it has too much is not.
+    // A part of the surface beyond the chord may be near triangles of other leaves.
     if (is_beyond(chord, boundary[k])) found.back().uv = boundary[k];
     if (!is_seen(clip_, at_middle[k].position)) continue;
     found.push_back(

@@ -16,7 +16,7 @@ namespace saddle {
 namespace {
 
 /// Shares of a ray that are looked at one after the other: other holes may be behind the nearest
-/// edge. Those of kAwayFromPlace tell whether a hole is thin.
+/// edge. kAwayFromPlace tells whether a hole is thin.
 constexpr std::array kShares = {1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0};
 
 /// From an undefined place along one way.
@@ -125,7 +125,7 @@ class Rays {
 
   /// The line across another one.
   static std::size_t across(std::size_t line) { return (line + lines() / 2) % lines(); }
-  /// Of two rays each.
+  /// Lines of two rays each.
   static std::size_t lines() { return kEightWays.size() / 2; }
 
  private:
