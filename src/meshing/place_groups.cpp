@@ -1,7 +1,9 @@
 #include "meshing/place_groups.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -17,12 +19,9 @@
 namespace saddle {
 namespace {
 
-/// At least so many places on a line of constant u or v are told as one.
-constexpr std::size_t kFewestOfLine = 12;
-
 /// A line is told in parts where nothing is found on more than this share of its range. A line of
 /// so many places is on a mesh of at least as many cells.
-constexpr double kGapOfLine = 2.5 / kFewestOfLine;
+constexpr double kGapOfLine = 2.5 / kManyOfLine;
 
 using Indices = std::vector<std::size_t>;
 
@@ -68,18 +67,19 @@ PlaceGroup longest_line(std::span<const dvec2> places, const Indices& left, int 
 /// Whether places follow one another along a line. Many curves that cross a line of the grid have
 /// places on it, too, but each has a nearer one on the same curve.
 bool is_line(std::span<const dvec2> places, const PlaceGroup& group, const dvec2& extent) {
+  std::vector<std::uint8_t> is_member(places.size(), 0);
+  for (const std::size_t k : group.members) is_member[k] = 1;
   std::size_t in_line = 0;
   for (const std::size_t k : group.members) {
-    double nearest_member = std::numeric_limits<double>::infinity();
-    double nearest_other = nearest_member;
+    std::array<double, 2> nearest;  // squares: of another curve, of the line
+    nearest.fill(std::numeric_limits<double>::infinity());
     for (std::size_t other = 0; other < places.size(); ++other) {
       if (other == k) continue;
-      const double distance = glm::length((places[other] - places[k]) / extent);
-      const bool is_member = std::ranges::binary_search(group.members, other);
-      double& nearest = is_member ? nearest_member : nearest_other;
-      nearest = std::min(nearest, distance);
+      const dvec2 way = (places[other] - places[k]) / extent;
+      double& least = nearest[is_member[other]];
+      least = std::min(least, glm::dot(way, way));
     }
-    in_line += nearest_member < nearest_other ? 1 : 0;
+    in_line += nearest[1] < nearest[0] ? 1 : 0;
   }
   return 2 * in_line > group.members.size();
 }
@@ -187,11 +187,11 @@ std::vector<PlaceGroup> take_lines(std::span<const dvec2> places, const Domain& 
   const dvec2 extent = extents(domain);
   std::vector<PlaceGroup> lines;
   Indices candidates = left;
-  while (candidates.size() >= kFewestOfLine) {
+  while (candidates.size() >= kManyOfLine) {
     const PlaceGroup along_v = longest_line(places, candidates, 0, extent.x);
     const PlaceGroup along_u = longest_line(places, candidates, 1, extent.y);
     const PlaceGroup& longer = along_v.members.size() > along_u.members.size() ? along_v : along_u;
-    if (longer.members.size() < kFewestOfLine) break;
+    if (longer.members.size() < kManyOfLine) break;
     const auto is_member = [&](std::size_t k) {
       return std::ranges::find(longer.members, k) != longer.members.end();
     };

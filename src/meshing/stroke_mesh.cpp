@@ -13,6 +13,7 @@
 #include "eval/batch.h"
 #include "eval/tape.h"
 #include "mesh/curve/tube.h"
+#include "mesh/model/tolerances.h"
 #include "meshing/clip_box.h"
 #include "meshing/place_groups.h"
 #include "scene/model/bind_stroke.h"
@@ -23,9 +24,6 @@
 
 namespace saddle {
 namespace {
-
-/// Samples that tell how large a curve is, and where most of it is.
-constexpr std::size_t kSizeSamples = 1024;
 
 using Clock = std::chrono::steady_clock;
 
@@ -41,7 +39,7 @@ struct Extent {
 
 Extent extent_of(const ParametricCurve& curve, const std::optional<Bounds>& clip) {
   Extent extent;
-  for (const CurvePoint& p : evaluate(curve, even_lines(curve.from, curve.to, kSizeSamples))) {
+  for (const CurvePoint& p : evaluate(curve, even_lines(curve.from, curve.to, kStandForAll))) {
     if (!is_finite(p.position) || (clip && !clip->contains(p.position))) continue;
     extent.positions.push_back(p.position);
     extent.bounds.add(p.position);

@@ -15,12 +15,6 @@
 #include "surface/normal.h"
 
 namespace saddle {
-namespace {
-
-/// Steps of the secant method. The function is piecewise linear: it ends after a few.
-constexpr int kMostSteps = 60;
-}  // namespace
-
 SharpestBends sharpest_bends(const Surface& surface, const Mesh& mesh, unsigned threads) {
   SharpestBends bends;
   const std::vector<SurfacePoint> points = evaluate(surface, mesh.uv, threads);
@@ -58,7 +52,8 @@ double units_per_millimetre(std::optional<double> print_size,
   if (last_excess == 0)
     return last;  // nothing grows: flat surfaces, thick across their longest side
   double unit = last + last_excess / *print_size;
-  for (int k = 0; k < kMostSteps; ++k) {
+  // The secant method: the function is piecewise linear, so it ends after a few steps.
+  for (int k = 0; k < kAllHalvings; ++k) {
     const double now = excess(unit);
     if (std::abs(now) <= kRoundingOfSums * *print_size * unit) return unit;
     const double slope = (now - last_excess) / (unit - last);

@@ -296,6 +296,11 @@ std::vector<Line> BoundaryDistance::ways_to_boundary(std::span<const SurfacePoin
   return ways;
 }
 
+/// Whether a place is on the outer side of a chord.
+bool BoundaryDistance::is_beyond(const EdgeChord& chord, const dvec2& uv) {
+  return glm::dot(uv - chord.middle, chord.beyond - chord.middle) >= 0;
+}
+
 /// The surface's boundary may be on either side of its chord: the mesh covers too much or too
 /// little. All that is between chord and boundary is an error.
 void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
@@ -311,9 +316,12 @@ void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
     const EdgeChord& chord = chords_[k];
     found.push_back(
         {chord.leaf, distance_from_edge(chord, chord.triangles, boundary[k], at_boundary[k])});
+    // A part of the surface beyond the chord may be near triangles of other leaves.
+    if (is_beyond(chord, boundary[k])) found.back().uv = boundary[k];
     if (!is_seen(clip_, at_middle[k].position)) continue;
     found.push_back(
         {chord.leaf, distance_from(grid_, chord.triangles, chord.middle, at_middle[k].position)});
+    found.back().uv = chord.middle;
   }
 }
 
@@ -324,8 +332,7 @@ double BoundaryDistance::distance_from_edge(const EdgeChord& chord,
                                             std::span<const Triangle> triangles, const dvec2& uv,
                                             const SurfacePoint& point) const {
   const double from_chord = distance_from_chord(grid_, chord.ends, point.position);
-  const bool is_beyond = glm::dot(uv - chord.middle, chord.beyond - chord.middle) >= 0;
-  if (!is_beyond || triangles.empty()) return from_chord;
+  if (!is_beyond(chord, uv) || triangles.empty()) return from_chord;
   const double from_triangles = distance_from(grid_, triangles, uv, point.position);
   return clip_ ? from_triangles : std::max(from_chord, from_triangles);
 }

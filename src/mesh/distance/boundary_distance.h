@@ -68,6 +68,7 @@ class BoundaryDistance {
   void add_flat_sheets(const Leaf& leaf, std::size_t number, double allowed);
   std::optional<dvec2> outside_of(const Leaf& leaf, std::span<const Triangle> sheet,
                                   const dvec2& border, const dvec2& way) const;
+  static bool is_beyond(const EdgeChord& chord, const dvec2& uv);
   double foot(std::uint32_t from, std::uint32_t to, const dvec3& above) const;
   std::vector<std::array<dvec2, 2>> ways_to_boundary(std::span<const SurfacePoint> at_middle);
   std::vector<dvec2> ends_of(std::span<const std::array<dvec2, 2>> ways) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <glm/common.hpp>
 
@@ -13,12 +14,8 @@ namespace saddle {
 
 namespace {
 
-/// The part of a line that is left after kHalvingsOfSecondOrder. An upright surface moves far while
-/// its parameters hardly change: bisection goes on until its image is shorter than that part of the
-/// first, too, or for kAllHalvings.
-constexpr double kArrived = 1.0 / (1 << kHalvingsOfSecondOrder);
 /// The surface is not upright if 12 halvings shorten a line's image to 1/512. The image of a root
-/// shortens to 1/64, that of a crease with finite slopes to little more than kArrived.
+/// shortens to 1/64, that of a crease with finite slopes to little more than kOfSecondOrder.
 constexpr double kPlainShare = 1.0 / 512;
 
 dvec3 area_of(const SurfacePoint& p) {
@@ -37,17 +34,22 @@ struct CreaseSearch {
   Line left;                      ///< the part that holds the crease
   std::array<dvec3, 2> position;  ///< of its ends
   std::array<dvec3, 2> normal;    ///< at the ends of the line
-  bool is_cusp;
-  double first_way = 0;  ///< length of the whole line's image
-  double way = 0;        ///< length of the image of `left`
+  double cosine;                  ///< of the angle between these
+  double first_way = 0;           ///< length of the whole line's image
+  double way = 0;                 ///< length of the image of `left`
   int halvings = 0;
 
-  /// Whether there is no cusp, and the surface is not upright.
+  /// Whether there is no cusp, and the surface is not upright. Across a cusp normals are nearly
+  /// opposite; towards an upright surface they turn less.
   bool is_plain() const {
-    return !is_cusp && halvings == kHalvingsOfSecondOrder && way <= kPlainShare * first_way;
+    if (halvings != kHalvingsOfSecondOrder || cosine < -kSteepCosine) return false;
+    return !(cosine < kSteepCosine) || way <= kPlainShare * first_way;
   }
+  /// An upright surface moves far while its parameters hardly change: bisection goes on until its
+  /// image is short, too, or for kAllHalvings.
   bool is_done() const {
-    const bool has_arrived = halvings >= kHalvingsOfSecondOrder && !(way > kArrived * first_way);
+    const bool has_arrived =
+        halvings >= kHalvingsOfSecondOrder && !(way > kOfSecondOrder * first_way);
     return has_arrived || has_no_middle(left);
   }
 };
@@ -56,14 +58,14 @@ std::vector<CreaseSearch> searches_on(const Surface& surface, std::span<const Li
                                       unsigned threads) {
   const std::vector<SurfacePoint> first = evaluate(surface, ends_of(lines, 0), threads);
   const std::vector<SurfacePoint> last = evaluate(surface, ends_of(lines, 1), threads);
+  const double least_turn = std::cos(kCreaseDegrees * std::numbers::pi / 180);
   std::vector<CreaseSearch> searches;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const std::array normal = {glm::normalize(area_of(first[k])), glm::normalize(area_of(last[k]))};
     const double cosine = glm::dot(normal[0], normal[1]);
-    // Across a cusp normals are nearly opposite; towards an upright surface they turn less.
-    if (!(cosine < kSteepCosine)) continue;
+    if (!(cosine < least_turn)) continue;
     const std::array position = {first[k].position, last[k].position};
-    searches.push_back({k, lines[k], position, normal, cosine < -kSteepCosine});
+    searches.push_back({k, lines[k], position, normal, cosine});
   }
   return searches;
 }
@@ -162,7 +164,8 @@ std::vector<dvec2> places_above(const Surface& surface, std::span<const MiddleOf
     const double beyond = glm::dot(position - search.chord->middle(), along);
     search.place = middle;
     search.left[beyond < 0 ? 0 : 1] = middle;
-    return std::fabs(beyond) <= kArrived * glm::dot(along, along) || has_no_middle(search.left);
+    return std::fabs(beyond) <= kOfSecondOrder * glm::dot(along, along) ||
+           has_no_middle(search.left);
   };
   bisect_together(surface, searches, open, kHalvingsToLeast, threads, next, is_done);
   std::vector<dvec2> places;
@@ -173,10 +176,10 @@ std::vector<dvec2> places_above(const Surface& surface, std::span<const MiddleOf
 
 }  // namespace
 
-std::vector<dvec2> crease_places(const Surface& surface, std::span<const Line> lines,
-                                 unsigned threads) {
-  std::vector<dvec2> places;
-  for (const Line& line : lines) places.push_back(middle_of(line));
+std::vector<std::optional<CreasePlace>> crease_places(const Surface& surface,
+                                                      std::span<const Line> lines,
+                                                      unsigned threads) {
+  std::vector<std::optional<CreasePlace>> places(lines.size());
   std::vector<CreaseSearch> searches = searches_on(surface, lines, threads);
   std::vector<std::size_t> open = all_open(searches.size());
   const auto next = [](const CreaseSearch& search) { return middle_of(search.left); };
@@ -185,9 +188,8 @@ std::vector<dvec2> crease_places(const Surface& surface, std::span<const Line> l
     return search.is_plain() || search.is_done();
   };
   bisect_together(surface, searches, open, kAllHalvings, threads, next, is_done);
-  for (const CreaseSearch& search : searches) {
-    if (!search.is_plain()) places[search.number] = search.left[0];
-  }
+  for (const CreaseSearch& search : searches)
+    places[search.number] = CreasePlace{search.left[0], search.is_plain()};
   return places;
 }
 

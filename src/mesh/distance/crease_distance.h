@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,10 +12,14 @@
 
 namespace saddle {
 
-/// Where lines in the (u, v) plane are crossed by cusps, or by creases at which the surface is
-/// upright; the middle of a line that none crosses.
-std::vector<dvec2> crease_places(const Surface& surface, std::span<const Line> lines,
-                                 unsigned threads);
+/// Where a line in the (u, v) plane is crossed by a crease.
+struct CreasePlace {
+  dvec2 uv;
+  bool is_plain;  ///< no cusp, and the surface is not upright
+};
+std::vector<std::optional<CreasePlace>> crease_places(const Surface& surface,
+                                                      std::span<const Line> lines,
+                                                      unsigned threads);
 
 /// The middle of a chord of the mesh.
 struct MiddleOfChord {

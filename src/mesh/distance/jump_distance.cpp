@@ -19,9 +19,9 @@ namespace saddle {
 
 namespace {
 
-/// Lines of jumps end where they are smaller than a quarter of the tolerance: kClosed in
-/// mesh/mesher/edge_features.cpp. Along slight ones sheets end at jumps of half of that, and other
-/// jumps of up to a tolerance do not count.
+/// Lines of jumps end where they are smaller than a quarter of the tolerance: kUnnoticed. Along
+/// slight ones sheets end at jumps of half of that, and other jumps of up to a tolerance do not
+/// count.
 constexpr double kSlight = 2;
 constexpr double kLeastJump = 0.125;
 

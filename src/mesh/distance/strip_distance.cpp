@@ -21,9 +21,6 @@ namespace {
 
 /// Lines across a strip between two ends, in parts of its length.
 constexpr std::array kAcrossStrip = {0.05, 0.25, 0.5, 0.75, 0.95};
-/// The tip of a strip that ends in a leaf is found to 2^-8 of the leaf: a quarter of a tolerance in
-/// a cell of 1/16 of the surface.
-constexpr int kHalvingsToTip = 8;
 
 }  // namespace
 
@@ -124,7 +121,7 @@ void StripDistance::follow_to_tips() {
       across_.push_back(std::move(lines[k]));
     }
   };
-  const double least = std::ldexp(1.0, -kHalvingsToTip);
+  const double least = std::ldexp(1.0, -kHalvingsToSight);
   look([least](const Tip&) { return least; });
   for (double step = 0.5; step >= least; step /= 2)
     look([step](const Tip& tip) { return std::min(tip.reached + step, 1.0); });

@@ -19,7 +19,7 @@ struct LeafDistance {
   std::size_t leaf;
   double distance;
   bool is_at_jump = false;
-  std::optional<dvec2> uv = {};  ///< on a thin strip, the place of the surface
+  std::optional<dvec2> uv = {};  ///< the place, if it is one of the surface
 };
 
 class StripDistance {

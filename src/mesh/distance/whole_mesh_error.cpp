@@ -18,8 +18,6 @@ namespace {
 
 /// The first step of a compass search, in sizes of the box; a round without success halves it.
 constexpr double kFirstStep = 0.25;
-/// Parts of a line shorter than 0.25 tolerances are not halved.
-constexpr double kShortPart = 0.25;
 /// Further directions, as parts of the way in u and in v: with those of the parameters one is
 /// within 11 degrees of the direction straight across a steep wall, and too long by 2 % at most.
 constexpr std::array kAslant = {dvec2(1, 1),      dvec2(1, -1),      dvec2(1, 0.4142),
@@ -33,9 +31,9 @@ constexpr std::size_t kLines = kStraight + kAslant.size();
 constexpr std::array<std::size_t, 4> kBegun = {1, 2, kStraight, kLines};
 /// Places of the mesh that are searched at most: 250 evaluations each.
 constexpr std::size_t kMostSearched = 192;
-/// The search climbs from the 8 farthest places of the mesh, in 4 rounds, if they are within 0.5 of
-/// the largest distance: a place of a side's middle may have half of the side's error.
-constexpr std::size_t kClimbing = 8;
+/// The search climbs from the farthest kFirstSearched places of the mesh, in 4 rounds, if they are
+/// within 0.5 of the largest distance: a place of a side's middle may have half of the side's
+/// error.
 constexpr int kClimbsOnMesh = 4;
 constexpr double kClimbedShare = 0.5;
 /// Rounds of the climb in each of many triangles.
@@ -204,7 +202,7 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expe
         for (std::size_t k = first + begun; k < first + next; ++k) begin(k);
       }
       for (std::size_t k = first; k < first + begun && round > 0; ++k) {
-        if (const auto t = lines[k].next(kShortPart * tolerance)) tries.emplace_back(k, *t);
+        if (const auto t = lines[k].next(kUnnoticed * tolerance)) tries.emplace_back(k, *t);
       }
     }
   }
@@ -358,7 +356,7 @@ PlacedError WholeMeshError::from_mesh(std::span<const Triangle* const> triangles
     farthest.insert(farthest.end(), found.begin(), found.end());
     std::ranges::stable_sort(farthest, std::ranges::greater(),
                              [](const Nearest& n) { return n.error.distance; });
-    if (farthest.size() > kClimbing) farthest.resize(kClimbing);
+    if (farthest.size() > kFirstSearched) farthest.resize(kFirstSearched);
     if (!farthest.empty()) least = std::max(least, kClimbedShare * farthest.front().error.distance);
   }
   climb_on_mesh(farthest, tolerance);

@@ -13,10 +13,6 @@ namespace saddle {
 
 namespace {
 
-/// Leaves that are searched, in all rounds together, and then 8 in each round.
-constexpr std::size_t kMostOpened = 512;
-/// The search starts with 8 leaves and goes on with kSearchedTogether at a time.
-constexpr std::size_t kFirstSearched = 8;
 /// Features for which the mesh would need 16 times as many leaves are told, not mended, unless they
 /// are in 4 leaves at most, as a needle is.
 constexpr double kMostGrowth = 16;
@@ -68,7 +64,7 @@ OpenLeaves::OpenLeaves(const Surface& surface, const Grid& grid, const CellTree&
       hulls_(hulls),
       clip_(clip),
       threads_(threads),
-      left_(kMostOpened) {}
+      left_(kInBatch) {}
 
 std::vector<Counterexample> OpenLeaves::refute(const std::function<bool(std::size_t leaf)>& is_open,
                                                ValidatedMesh& mesh) {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <glm/common.hpp>
 
+#include "base/numbers.h"
 #include "base/random.h"
 #include "mesh/distance/crease_distance.h"
 #include "mesh/model/sample_places.h"
@@ -21,12 +23,23 @@ namespace {
 /// without edge features one point is enough, since mesh/error/distance_maximizer climbs from it.
 constexpr std::array kChordSamples = {0.36, 0.5, 0.64};
 
-/// How far from its chord a crease is looked for, as a part of the chord.
-constexpr double kBesideCrease = 0.3;
-
 /// Whether a place, in sides of a leaf from its low corner, is inside of the leaf.
 bool is_inside(const dvec2& part) {
   return part.x > 0 && part.x < 1 && part.y > 0 && part.y < 1;
+}
+
+/// The line through a place, across a direction, from border to border of a leaf; in its sides.
+Line line_across(const dvec2& part, const dvec2& along) {
+  const auto to_border = [&part](const dvec2& way) {
+    double length = kInfinity;
+    for (int k = 0; k < 2; ++k) {
+      const double ahead = way[k] > 0 ? 1 - part[k] : part[k];
+      if (way[k] != 0) length = std::min(length, ahead / std::fabs(way[k]));
+    }
+    return part + length * way;
+  };
+  const dvec2 way(-along.y, along.x);
+  return {to_border(-way), to_border(way)};
 }
 
 /// Whether another triangle lists a chord in a leaf. A diagonal is a side of two triangles. So is a
@@ -127,15 +140,15 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
     const bool on_crease = inside && is_creased && !is_diagonal;
     if (inside && is_other_side(grid_, triangles, a, b, on_crease)) return;
     ValidationPoint sample{number, {}, &t, is_cut};
-    if (on_crease) {
-      const dvec2 along = (at[b] - at[a]) / size;
-      sample.crease = Chord{a, b};
-      sample.across = kBesideCrease * size * dvec2(-along.y, along.x);
-    }
+    if (on_crease) sample.crease = Chord{a, b};
     const auto shares =
         on_crease ? std::span<const double>(kChordSamples) : std::span<const double>(kMiddleOfLine);
     for (const double share : shares) {
       sample.uv = glm::mix(at[a], at[b], share);
+      if (on_crease) {
+        const auto& [first, last] = line_across((sample.uv - low) / size, (at[b] - at[a]) / size);
+        sample.across = Line{low + size * first, low + size * last};
+      }
       samples.push_back(sample);
     }
   };
@@ -170,17 +183,25 @@ void PointPlacer::append_singular_sides(const ValidatedMesh& mesh,
   }
 }
 
-void move_onto_creases(const Surface& surface, std::span<ValidationPoint> samples,
+void move_onto_creases(const Surface& surface, std::vector<ValidationPoint>& samples,
                        unsigned threads) {
   std::vector<Line> lines;
-  for (const ValidationPoint& sample : samples) {
-    if (sample.crease) lines.push_back({sample.uv - sample.across, sample.uv + sample.across});
+  std::vector<std::size_t> numbers;  // of the samples
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (!samples[k].across) continue;
+    lines.push_back(*samples[k].across);
+    numbers.push_back(k);
   }
-  if (lines.empty()) return;
-  const std::vector<dvec2> places = crease_places(surface, lines, threads);
-  std::size_t next = 0;
-  for (ValidationPoint& sample : samples) {
-    if (sample.crease) sample.uv = places[next++];
+  const std::vector<std::optional<CreasePlace>> places = crease_places(surface, lines, threads);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (!places[k]) continue;
+    ValidationPoint& sample = samples[numbers[k]];
+    if (!places[k]->is_plain) {
+      sample.uv = places[k]->uv;
+    } else {
+      const std::size_t leaf = sample.number;
+      samples.push_back({leaf, places[k]->uv, nullptr, true});
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "mesh/error/validate_many.h"
 #include "mesh/error/validated_mesh.h"
+#include "mesh/proof/continuity.h"
 
 namespace saddle {
 
@@ -22,7 +23,7 @@ struct ValidationPoint {
   const Triangle* triangle = nullptr;  ///< around it; nullptr: unknown
   bool beside_cut = false;             ///< on an edge feature: the normal may be the other side's
   std::optional<Chord> crease = {};    ///< the chord that it is on
-  dvec2 across{0};                     ///< as far across the chord a crease is looked for
+  std::optional<Line> across = {};     ///< where the crease is looked for
 };
 
 /// The jittered quarters of a leaf; always the same for the same leaf.
@@ -51,8 +52,8 @@ class PointPlacer {
 
 /// Samples on chords of cusps, and of creases at which the surface is upright, go to where those
 /// are: they run beside their chords, and how far the surface is from them makes up for that in
-/// part.
-void move_onto_creases(const Surface& surface, std::span<ValidationPoint> samples,
+/// part. Samples on chords of other creases get another one there, to be compared with triangles.
+void move_onto_creases(const Surface& surface, std::vector<ValidationPoint>& samples,
                        unsigned threads);
 
 }  // namespace saddle

@@ -141,11 +141,10 @@ std::vector<LinePart> maybe_undefined(const Surface& surface, std::vector<LinePa
   std::vector<LinePart> halved =
       unproved(surface, std::move(lines), kInfinity, boxes, kFirstHalvingsToGap);
   std::vector<LinePart> some;
-  constexpr std::ptrdiff_t kAll = 1 << kFirstHalvingsToGap;
   for (auto part = halved.begin(); part != halved.end();) {
     const auto end = std::find_if(part, halved.end(),
                                   [&](const LinePart& other) { return other.line != part->line; });
-    auto& to = end - part == kAll ? open : some;
+    auto& to = end - part == 1 << kFirstHalvingsToGap ? open : some;
     to.insert(to.end(), part, end);
     part = end;
   }

@@ -22,9 +22,6 @@ namespace {
 /// A gap between neighbouring doubles is no jump if it shrinks from the gap between places 2^21
 /// units of rounding apart: abs(u)^0.05 and 1/ln(u) come to 0 ever more slowly.
 constexpr std::size_t kFarOutward = 7;
-/// Positions at the ends of a line are alike if they differ by less than this part of their
-/// distances from a position between them.
-constexpr double kAlike = 1.0 / 4096;
 /// The part of a line at which it is halved.
 constexpr double kShare = 0.498;
 
@@ -145,7 +142,7 @@ double unexplained_gap(const dvec3& from, const dvec3& slope_from, const dvec3& 
 bool is_in_first_part(Search& search, const Look& look, double first_gap, double last_gap,
                       const BisectedVector& bisected) {
   const double ends = gap_between(search.at_ends[0], search.at_ends[1]);
-  if (look.slope && ends < kAlike * std::min(first_gap, last_gap)) {
+  if (look.slope && ends < kOfSecondOrder * std::min(first_gap, last_gap)) {
     const double away = glm::dot(*look.slope / safe_length(*look.slope),
                                  (look.value - search.at_ends[0]) / first_gap);
     if (away != 0 && std::isfinite(away)) return away < 0;

@@ -19,9 +19,6 @@ namespace {
 
 /// The longest part of a line that is a cliff: halvings of the leaf show a longer one as well.
 constexpr double kLongestCliff = 0.75;
-/// A half without the cliff is explained by its slopes to this part of delta; with the cliff's foot
-/// or head it is not. A cliff is as near to the segment between its ends.
-constexpr double kExplained = 0.25;
 /// A sheet ends where it leaves its tangent by this part of delta.
 constexpr double kOnTangent = 1.0 / 16;
 /// Places on a straight cliff, its ends included, at which that is measured: fewer miss the rounded
@@ -32,8 +29,6 @@ constexpr std::size_t kMostSegments = 32;
 /// How many times as steep as on the average a straight cliff may be at an end: a vertex may lie in
 /// the middle of tanh's cliff, but toward a pole the surface is ever steeper.
 constexpr double kSteepestEnd = 3;
-/// The part of the way from an end of a cliff to the place on it to which the end is found.
-constexpr double kNearEnd = 1.0 / 32;
 
 /// A place on a line, as a share of it.
 struct Place {
@@ -109,7 +104,7 @@ void halve_to_cliffs(const Surface& surface, double delta, unsigned threads,
   const auto is_done = [&](CliffSearch& search, const dvec2&, const SurfacePoint& point) {
     ++work;
     const Place place = search.place(search.next(), point);
-    const double least = kExplained * delta;
+    const double least = kUnnoticed * delta;
     return search.doubted ? take_doubted(search, place, least) : take_middle(search, place, least);
   };
   bisect_together(surface, searches, open, kHalvingsToEdge, threads, next, is_done);
@@ -191,7 +186,7 @@ bool is_between_sheets(const CliffSearch& search, const dvec3& way) {
 /// Whether places are on the segment between the first and the last one.
 bool is_straight(std::span<const dvec3> positions, double delta) {
   return std::ranges::all_of(positions, [&](const dvec3& p) {
-    return distance_from_segment(positions.front(), positions.back(), p) <= kExplained * delta;
+    return distance_from_segment(positions.front(), positions.back(), p) <= kUnnoticed * delta;
   });
 }
 
@@ -242,7 +237,7 @@ bool goes_on_beyond(const Surface& surface, const CliffSearch& search, double de
     const dvec3 way = (end - share) * sheet.slope;
     const dvec3 rest = sheet.position + way - points[1].position;
     const dvec3 to_end = points[1].position - search.ends[end == 0 ? 1 : 0].position;
-    if (!(glm::length(rest) <= kExplained * delta || glm::dot(rest, to_end) > 0)) return false;
+    if (!(glm::length(rest) <= kUnnoticed * delta || glm::dot(rest, to_end) > 0)) return false;
   }
   return true;
 }

@@ -12,6 +12,9 @@
 
 namespace saddle {
 
+/// The part of the way from an end of a cliff to the place on it to which the end is found.
+inline constexpr double kNearEnd = 1.0 / 32;
+
 /// Parameters on a line, from foot to head; the surface rises along the segments between
 /// neighbours.
 using Cliff = std::vector<dvec2>;

@@ -23,10 +23,6 @@ namespace {
 /// Halvings of a line for a proof that it is continuous, before it is searched.
 constexpr int kProofHalvings = 3;
 
-/// A search keeps thousands of points for a line with many jumps: those of as many lines as this
-/// take less than 100 MB.
-constexpr std::size_t kLinesAtATime = 256;
-
 /// Jumps of lines, in their order: they have no place in common.
 using JumpsOfLines = std::vector<std::vector<Line>>;
 
@@ -322,9 +318,9 @@ std::vector<LocatedDiscontinuity> find_discontinuities(const Surface& surface,
   }
   std::vector<LocatedDiscontinuity> result(lines.size());
   for (LocatedDiscontinuity& at : result) at.is_proved = true;
-  for (std::size_t i = 0; i < open.size(); i += kLinesAtATime) {
+  for (std::size_t i = 0; i < open.size(); i += kSearchedTogether) {
     const auto some =
-        std::span(open_lines).subspan(i, std::min(kLinesAtATime, open_lines.size() - i));
+        std::span(open_lines).subspan(i, std::min(kSearchedTogether, open_lines.size() - i));
     auto found = LineSearch(surface, some, delta, threads, work).run();
     for (std::size_t k = 0; k < found.size(); ++k) result[open[i + k]] = std::move(found[k]);
   }

@@ -24,9 +24,6 @@ namespace {
 constexpr double kTail = 0.05;
 /// The share that may be left out for a box's shape: a box holds the middle half of the points.
 constexpr double kLongestTail = 0.25;
-/// In lengths of a box: a gap between two clusters of points, as on both sides of a pole. A cluster
-/// no larger than a tail counts as one.
-constexpr double kApart = 1.0 / 16;
 /// Windows that are tried: they begin or end at every 256th part of the points, and so move by less
 /// than a tail.
 constexpr std::size_t kTries = 256;
@@ -80,7 +77,7 @@ std::size_t count_within(Numbers sorted, const Stretch& window) {
 /// pole, not the larger one alone. A tie goes to the window that shows the most in all, then to
 /// the middle one.
 Stretch fairest_window(Numbers sorted, double length) {
-  const std::vector<Numbers> parts = parts_of(sorted, kApart * length);
+  const std::vector<Numbers> parts = parts_of(sorted, kFarApart * length);
   const auto worth = [&](const Stretch& window) {
     double least = 1;
     for (const Numbers& part : parts) {

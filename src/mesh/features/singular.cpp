@@ -20,8 +20,6 @@ namespace {
 constexpr std::size_t kFewZeros = 4;
 /// A zero is isolated if descents from kBesideZero away come back to within 0.1 of that.
 constexpr double kBack = 0.1;
-/// In ranges: the distance between places that are named on a curve of zeros.
-constexpr double kAlongCurves = 1.0 / 16;
 
 bool are_near(const dvec2& a, const dvec2& b, double reach) {
   return glm::all(glm::lessThanEqual(glm::abs(a - b), dvec2(reach)));
@@ -183,11 +181,11 @@ void name_singular(const SingularSet& singular, const Domain& domain, MeshReport
   }
   if (listed.size() > kMaxListed) listed.resize(kMaxListed);
   const auto name = [&](const dvec2& uv) {
-    if (find(uv, kAlongCurves) == listed.end()) add_singular_point(uv, report);
+    if (find(uv, kFarApart) == listed.end()) add_singular_point(uv, report);
   };
   for (const dvec2& uv : singular.on_curves) name(uv);
-  for (double k = 0.5; k * kAlongCurves < 1; ++k) {
-    const dvec2 part(k * kAlongCurves);
+  for (double k = 0.5; k * kFarApart < 1; ++k) {
+    const dvec2 part(k * kFarApart);
     const dvec2 uv =
         dvec2(domain.u0, domain.v0) * (1.0 - part) + dvec2(domain.u1, domain.v1) * part;
     for (const double u : singular.lines_u) name({u, uv.y});

@@ -18,10 +18,6 @@ constexpr double kKnown = 1e-5;
 /// Places at which a singular line is sampled.
 constexpr std::size_t kLinePlaces = 9;
 
-/// At least so many places at one point collapse a line or a curve to it: seams and crossings of
-/// sheets have fewer.
-constexpr std::size_t kCollapsed = 12;
-
 /// A limit to the decimals that are known of it: at the apex of a cone the mean is beside it.
 dvec3 known_decimals(const dvec3& limit, double diagonal) {
   const double unit = std::pow(10, std::ceil(std::log10(kKnown * diagonal)));
@@ -44,7 +40,7 @@ class SingularGroups {
       point.places.push_back(k);
     }
     for (SingularInSpace& point : points_) {
-      if (point.places.size() >= kCollapsed) point.is_isolated = true;
+      if (point.places.size() >= kManyOfLine) point.is_isolated = true;
     }
     const Domain& d = surface_.domain;
     for (const double u : report_.singular_u) take_line({u, d.v0}, {u, d.v1});

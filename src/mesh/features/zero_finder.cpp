@@ -19,8 +19,6 @@ namespace {
 /// there is no zero.
 constexpr int kFirstDescents = 3;
 constexpr double kLeaves = 0.5;
-/// In ranges: the longest step, four of a probe's stretches.
-constexpr double kLongest = 1.0 / 16;
 /// |r_u x r_v| is 0 if it is at most kNearly of its largest value 1e-4 ranges away. Double zeros,
 /// which are known to 1e-8, have 1e-8 of it.
 constexpr double kAroundZero = 1e-4;
@@ -220,7 +218,7 @@ dvec2 ZeroFinder::way_down(const Area& area) {
   }
   const double length = glm::length(way);
   if (!std::isfinite(length)) return dvec2(0);
-  return length > kLongest ? way * (kLongest / length) : way;
+  return length > kFarApart ? way * (kFarApart / length) : way;
 }
 
 }  // namespace saddle

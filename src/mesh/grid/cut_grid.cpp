@@ -60,7 +60,7 @@ void close_gaps(Grid& grid) {
 /// on a line.
 dvec3 extent(const Surface& surface, const Grid& grid, unsigned threads) {
   std::vector<dvec2> centres;
-  const std::size_t stride = grid.cell_count() / kTried + 1;
+  const std::size_t stride = grid.cell_count() / kStandForAll + 1;
   for (std::size_t cell = 0; cell < grid.cell_count(); cell += stride) {
     centres.push_back(grid.cell_centre(cell));
   }

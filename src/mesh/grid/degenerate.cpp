@@ -31,7 +31,7 @@ bool any_vertex_is_regular(const Grid& grid) {
 /// Some of the vertices, all of them used and singular, with their tangents.
 std::vector<SurfacePoint> probe(const Surface& surface, const Grid& grid, unsigned threads) {
   std::vector<dvec2> uv;
-  const std::size_t stride = grid.singular.size() / kTried + 1;
+  const std::size_t stride = grid.singular.size() / kStandForAll + 1;
   for (std::size_t k = 0; k < grid.singular.size(); k += stride) {
     uv.push_back(grid.uv(grid.singular[k]));
   }
@@ -52,7 +52,7 @@ bool all_degenerate(std::span<const SurfacePoint> points, const dvec3& scale) {
 
 bool any_centre_is_regular(const Surface& surface, const Grid& grid, unsigned threads) {
   std::vector<dvec2> centres;
-  const std::size_t stride = grid.cell_count() / kTried + 1;
+  const std::size_t stride = grid.cell_count() / kStandForAll + 1;
   for (std::size_t cell = 0; cell < grid.cell_count(); cell += stride) {
     if (!grid.is_kept(cell)) continue;
     centres.push_back(grid.cell_centre(cell));

@@ -9,15 +9,13 @@
 #include <glm/common.hpp>
 
 #include "mesh/grid/corners.h"
+#include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {
 
 namespace {
-
-/// Places from a corner to the middle of its triangle, as parts of the way.
-constexpr std::array kShares = {0.0625, 0.25, 0.5, 1.0};
 
 /// A corner of a triangle that its normal opposes.
 struct Opposed {
@@ -74,11 +72,12 @@ std::vector<std::optional<dvec3>> normals_within(const Surface& surface, unsigne
                                                  const Mesh& mesh,
                                                  std::span<const Opposed> opposed) {
   std::vector<dvec2> uv;
-  uv.reserve(kShares.size() * opposed.size());
+  uv.reserve(kAwayFromPlace.size() * opposed.size());
   for (const Opposed& o : opposed) {
     const Triangle& t = mesh.triangles[o.triangle];
     const dvec2 middle = (mesh.uv[t[0]] + mesh.uv[t[1]] + mesh.uv[t[2]]) / 3.0;
-    for (const double share : kShares) uv.push_back(glm::mix(mesh.uv[o.corner], middle, share));
+    for (const double share : kAwayFromPlace)
+      uv.push_back(glm::mix(mesh.uv[o.corner], middle, share));
   }
   std::vector<std::optional<dvec3>> normals;
   normals.reserve(uv.size());
@@ -103,8 +102,8 @@ void face_own_triangles(const Surface& surface, unsigned threads,
     }
     Triangle& t = mesh.triangles[number];
     const dvec3 front = glm::normalize(area_of(mesh, t));
-    const auto normal =
-        first_facing(std::span(within).subspan(k * kShares.size(), kShares.size()), front);
+    const auto normal = first_facing(
+        std::span(within).subspan(k * kAwayFromPlace.size(), kAwayFromPlace.size()), front);
     if (!normal) continue;
     std::uint32_t other = first_new;
     while (other < mesh.position.size() && !(glm::dot(mesh.normal[other], front) > kSteepCosine)) {

@@ -25,10 +25,6 @@ namespace saddle {
 
 namespace {
 
-/// A crease closes a jump of up to this part of the tolerance. A larger one, alone on its side,
-/// stays open: triangles that close it would stand across the surface.
-constexpr double kClosed = 0.25;
-
 /// Searches a batch of sides.
 class FeatureTracer {
  public:
@@ -251,7 +247,7 @@ class FeatureTracer {
     std::vector<Line> lines;
     double delta = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < sides.size(); ++k) {
-      const double least = kClosed * options_.tolerance(at[2 * k]);
+      const double least = kUnnoticed * options_.tolerance(at[2 * k]);
       if (!(glm::distance(at[2 * k], at[2 * k + 1]) > least)) continue;
       open.push_back(k);
       lines.push_back(line(sides[k]));

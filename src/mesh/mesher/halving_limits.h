@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/feature_count.h"
 #include "mesh/tree/leaf.h"
 
@@ -14,9 +15,6 @@ namespace saddle {
 class CellTree;
 struct FeatureCount;
 
-/// A halving helps if the error ratio falls to at most 0.8 of the parent's: a smooth arc falls to
-/// 0.25, a kink to 0.5, a vertical tangent to 0.71.
-inline constexpr double kHelps = 0.8;
 /// So many halvings in a row that do not help are no chance: one may go in the wrong direction, or
 /// the parent was too large to sample its own error. The sides of a leaf are searched after each 2.
 inline constexpr std::uint8_t kInVain = 2;
@@ -48,10 +46,11 @@ int most_boundary_halvings(const Leaf& leaf, const CellTree& tree);
 /// Halvings of a leaf with these edge features: none for a single line.
 int wanted_halvings(const FeatureCount& features);
 
-/// Consecutive halvings that did not help, from those of the parent.
+/// Consecutive halvings that did not help, from those of the parent: one helps if the error ratio
+/// shrinks.
 inline std::uint8_t count_stagnation(std::uint8_t before, double ratio, double parent_ratio) {
-  return ratio <= std::max(kHelps * parent_ratio, 1.0) ? std::uint8_t{0}
-                                                       : static_cast<std::uint8_t>(before + 1);
+  return ratio <= std::max(kShrinks * parent_ratio, 1.0) ? std::uint8_t{0}
+                                                         : static_cast<std::uint8_t>(before + 1);
 }
 
 /// Whether the sides of a leaf are searched for features: it has one already, or stagnates.

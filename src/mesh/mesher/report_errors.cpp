@@ -24,12 +24,10 @@ namespace saddle {
 
 namespace {
 
-/// The largest leaves are searched for what samples miss: 1/16 of all, but kInBatch at least. A
-/// grid of given cells is searched everywhere: nothing else chose them.
-constexpr std::size_t kSearchedPart = 16;
-
-/// Oscillating leaves are waves if they are one in 16; fewer are parts of a ridge.
-constexpr std::ptrdiff_t kWaves = 16;
+/// One leaf in 16 is a small part of all. As many of the largest leaves, but kInBatch at least, are
+/// searched for what samples miss; a grid of given cells is searched everywhere: nothing else chose
+/// them. Oscillating leaves are waves if they are more; fewer are parts of a ridge.
+constexpr std::size_t kFewOfAll = 16;
 /// The search climbs from the worst kMostFollowed leaves, with 160 evaluations each. Bounds are
 /// followed in up to kMostOpen leaves of each kind, then over up to 8,192 boxes: or over the share
 /// of searches that the surface may have.
@@ -156,10 +154,11 @@ class ErrorReporter {
         mesh_(mesher.mesh()),
         tree_(mesher.tree()),
         grid_(mesher.grid()),
-        has_waves_(kWaves * std::ranges::count_if(
-                                mesher.mesh().leaves,
-                                [](const Leaf& leaf) { return leaf.state.oscillates(); }) >
-                   std::ssize(mesher.mesh().leaves)),
+        has_waves_(
+            static_cast<std::ptrdiff_t>(kFewOfAll) *
+                std::ranges::count_if(mesher.mesh().leaves,
+                                      [](const Leaf& leaf) { return leaf.state.oscillates(); }) >
+            std::ssize(mesher.mesh().leaves)),
         tolerance_(mesher.coarser() * *report.tolerance),
         strictest_(report.rounding ? std::numeric_limits<double>::infinity() : tolerance_) {}
 
@@ -176,7 +175,7 @@ class ErrorReporter {
       if (is_missing && !is_missing_part(k)) continue;
       const PlacedError error = error_of(k);
       if (error.distance > tolerance_ &&
-          (is_missing || is_covered(leaf) || is_of_surface(k) || is_on_strip(leaf))) {
+          (is_missing || is_covered(leaf) || is_of_surface(k) || has_edge(leaf))) {
         suspects.push_back(k);
       } else if (is_missing) {
         continue;
@@ -195,7 +194,7 @@ class ErrorReporter {
       append_samples(k, suspected.back().places);
       if (triangles.of(k).empty()) append_around(surface.domain, suspected.back().places);
     }
-    const PlacedError beside = append_strips(surface, request, suspects, triangles, suspected);
+    const PlacedError beside = append_edges(surface, request, suspects, triangles, suspected);
     if (beside.distance > worst.distance) worst = beside;
     const PlacedError found = search(surface, request, suspected, triangles);
     if (found.distance > worst.distance) worst = found;
@@ -228,10 +227,14 @@ class ErrorReporter {
            !mesher_.landmarks().misses_hole(leaf);
   }
 
+  /// Whether a leaf is part of waves, or covers a hole: no other triangles reduce its error.
+  bool is_beyond_search(const Leaf& leaf) const {
+    return (leaf.state.oscillates() && has_waves_) || mesher_.landmarks().misses_hole(leaf);
+  }
+
   /// Whether the surface over a leaf is defined and continuous.
   bool is_covered(const Leaf& leaf) const {
-    if (leaf.state.is_on_boundary() || (leaf.state.oscillates() && has_waves_)) return false;
-    if (mesher_.landmarks().misses_hole(leaf)) return false;
+    if (leaf.state.is_on_boundary() || is_beyond_search(leaf)) return false;
     return leaf.state.is_whole() || count_features(leaf, tree_).is_continuous;
   }
 
@@ -241,26 +244,26 @@ class ErrorReporter {
     return mesh_.sampled_errors[k].uv && leaf.state.is_on_boundary() && !leaf.state.is_left_out();
   }
 
-  /// Whether a strip of the surface that is thin where it enters crosses a leaf: triangles of other
-  /// leaves may be nearer to it than its own.
-  bool is_on_strip(const Leaf& leaf) const {
-    return leaf.state.is_on_boundary() && has_thin_strip(leaf, tree_) &&
+  /// Whether the surface ends in a leaf: triangles of other leaves may be nearer to it than its
+  /// own.
+  bool has_edge(const Leaf& leaf) const {
+    return leaf.state.is_on_boundary() && !is_beyond_search(leaf) &&
            !has_cut(FeatureKind::Jump, leaf, tree_) && !mesher_.crosses_box(leaf);
   }
 
-  /// Appends the places on the strips of leaves. Returns the largest error at the edges of the
-  /// mesh, which its other triangles do not reduce.
-  PlacedError append_strips(const Surface& surface, const MeshRequest& request,
-                            std::span<const std::size_t> suspects, const LeafTriangles& triangles,
-                            std::span<SearchedLeaf> suspected) const {
-    BoundaryDistance strips(surface, grid_, tree_, request.clip, request.threads);
+  /// Appends the places of the surface that are far off beside its edges. Returns the largest error
+  /// at the edges of the mesh, which its other triangles do not reduce.
+  PlacedError append_edges(const Surface& surface, const MeshRequest& request,
+                           std::span<const std::size_t> suspects, const LeafTriangles& triangles,
+                           std::span<SearchedLeaf> suspected) const {
+    BoundaryDistance edges(surface, grid_, tree_, request.clip, request.threads);
     for (std::size_t i = 0; i < suspects.size(); ++i) {
       const std::size_t k = suspects[i];
-      if (is_on_strip(mesh_.leaves[k]))
-        strips.add(mesh_.leaves[k], i, triangles.of(k), mesh_.allowed[k]);
+      if (has_edge(mesh_.leaves[k]))
+        edges.add(mesh_.leaves[k], i, triangles.of(k), mesh_.allowed[k]);
     }
     PlacedError worst;
-    for (const auto& found : strips.measure()) {
+    for (const auto& found : edges.measure()) {
       const SearchedLeaf& leaf = suspected[found.leaf];
       const double error = leaf.part.scale * found.distance;
       if (found.uv) {
@@ -352,7 +355,7 @@ class ErrorReporter {
     std::ranges::stable_sort(which, std::ranges::greater(), [this](std::size_t k) {
       return static_cast<double>(mesh_.leaves[k].size_u()) * mesh_.leaves[k].size_v();
     });
-    which.resize(std::min(which.size(), std::max(kInBatch, mesh_.leaves.size() / kSearchedPart)));
+    which.resize(std::min(which.size(), std::max(kInBatch, mesh_.leaves.size() / kFewOfAll)));
   }
 
   const AdaptiveMesher& mesher_;

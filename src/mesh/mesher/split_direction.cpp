@@ -18,8 +18,6 @@ namespace {
 
 /// An error estimate below 0.5 tolerances says nothing about the direction of a sampled error.
 constexpr double kSignificant = 0.5;
-/// A cliff is narrow in a leaf four times as large.
-constexpr double kNarrowCliff = 0.25;
 
 /// Whether a leaf is slender beside its root cell.
 bool is_sliver(const Leaf& leaf) {
@@ -48,7 +46,7 @@ bool goes_on_in_sides(const Leaf& leaf, const CellTree& tree) {
       shortest = std::min(shortest, length(a, b));
     }
   });
-  return shortest <= width && width <= kNarrowCliff * std::max(leaf.size_u(), leaf.size_v());
+  return shortest <= width && width <= kClose * std::max(leaf.size_u(), leaf.size_v());
 }
 
 bool covers_leaf(const Leaf& leaf, const CellTree& tree) {

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/vec.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_tree.h"
 #include "surface/normal.h"
 
@@ -14,15 +15,12 @@ namespace saddle {
 
 namespace {
 
-/// Sides whose jumps are all looked for before it is asked whether they have many.
-constexpr std::size_t kStripsAtATime = 64;
 /// How far from a cliff its sheets have normals of their own, in widths of the cliff: the rounded
 /// foot of tanh is flat there.
 constexpr double kBesideCliff = 4;
-/// A segment of a cliff has the normals at this share from its ends, where the surface may have an
+/// A segment of a cliff has the normals at kNearEnd from its ends, where the surface may have an
 /// edge. If one is over 20 degrees from the segment's own normal, the surface turns there within a
 /// quarter of the tolerance, which is not seen.
-constexpr double kOnSegment = 1.0 / 32;
 constexpr double kSmoothTurn = 20;
 
 /// Whether two known jumps of a line are too far apart to be one feature, wherever others are.
@@ -122,7 +120,7 @@ std::vector<bool> add_strips(std::span<const Side> sides,
     std::vector<std::size_t> numbers;
     std::vector<Line> with_more;
     std::vector<LocatedDiscontinuity> known;
-    for (; next < sides.size() && numbers.size() < kStripsAtATime; ++next) {
+    for (; next < sides.size() && numbers.size() < kSearchedTogether; ++next) {
       if (found[next].kind != Discontinuity::Jump || !found[next].between) continue;
       const Line line = {tree.mesh().uv[sides[next][0]], tree.mesh().uv[sides[next][1]]};
       const bool are_all_known = !found[next].jumps.empty();
@@ -172,7 +170,7 @@ void add_cliffs(std::span<const Side> sides, std::span<const Cliff> cliffs, unsi
     for (std::size_t i = 1; i < cliff.size(); ++i) {
       add(cliff[i - 1], segments);
       places.push_back({sides[k][0], sides[k][1], cliff[i]});
-      for (const double share : {kOnSegment, 0.5, 1 - kOnSegment})
+      for (const double share : {kNearEnd, 0.5, 1 - kNearEnd})
         on_segments.push_back(glm::mix(cliff[i - 1], cliff[i], share));
     }
     const std::array ends = {cliff.front(), cliff.back()};

@@ -29,16 +29,21 @@ inline constexpr double kSame = 1e-9;
 /// of a cell have the same sagitta on surfaces of revolution, and rounding must not choose. Double
 /// zeros are known to 1e-8.
 inline constexpr double kNearly = 1e-6;
-/// In parts of a side of a leaf: jumps that are nearer to each other are close.
+/// In parts of a side of a leaf: jumps that are nearer to each other are close, and so are foot and
+/// head of a cliff.
 inline constexpr double kClose = 0.25;
+/// As a part of a range, a box or a diagonal: what is farther from the rest is apart from it. It is
+/// four of the probe's kDomainParts.
+inline constexpr double kFarApart = 1.0 / 16;
 /// In diagonals of the surface: rounding of the parameters joins no points that are farther apart.
 /// sin(2 pi)^0.1 is 0.03.
 inline constexpr double kMostRounding = 0.05;
 /// In diagonals of the surface: limits along several ways to a point that differ by less agree. A
 /// smooth surface moves by 1e-6 of its size on those ways.
 inline constexpr double kLimitsAgree = 1e-4;
-/// A move or gap that is less than this part of the one before goes to 0: a root of order 12 moves
-/// by 0.79 of its last move on a way 16 times as short, ln by all of it.
+/// A move, gap or error that is less than this part of the one before goes to 0: a root of order 12
+/// moves by 0.79 of its last move on a way 16 times as short, ln by all of it. By a halving the
+/// error of a smooth arc falls to 0.25, of a kink to 0.5, of a vertical tangent to 0.71.
 inline constexpr double kShrinks = 0.8;
 /// A factor: differences that keep within it towards a point stay as they are. If they shrink by
 /// more they are on their way to agree; if they grow by more they are a pole or rounding.
@@ -82,6 +87,8 @@ inline constexpr double kLineJitter = 0.4;
 /// says nothing about the size of leaves. A part of the surface without triangles is this far off.
 inline constexpr double kMostSafety = 4;
 
+/// In tolerances: gaps, bends and parts of lines up to this size do not show.
+inline constexpr double kUnnoticed = 0.25;
 /// A distance, or the bound of one, matters beside the largest known one if it is larger by this
 /// factor.
 inline constexpr double kMatters = 1.02;
@@ -94,6 +101,13 @@ inline constexpr std::size_t kDomainParts = 64;
 /// Sides, leaves or vertices that are worked on together, between two checks of a budget: some
 /// milliseconds if each takes hundreds of evaluations.
 inline constexpr std::size_t kInBatch = 512;
+/// Samples that stand for all of a surface or curve, where its size or kind is asked.
+inline constexpr std::size_t kStandForAll = 1024;
+/// At least so many places on a line, or at one point of space, are taken together: seams and
+/// crossings of sheets have fewer.
+inline constexpr std::size_t kManyOfLine = 12;
+/// Places or leaves that a search begins with, the worst first: most searches find nothing more.
+inline constexpr std::size_t kFirstSearched = 8;
 /// Triangles of a leaf of a tree that finds the nearest ones.
 inline constexpr std::size_t kTrianglesOfNode = 4;
 /// Vertices or leaves whose columns of results are kept at a time: 1.4 to 3 MB, and work for all
@@ -110,8 +124,14 @@ inline constexpr std::size_t kMostOpen = 256;
 /// Boxes or places of a kind that are followed one by one: more are along curves.
 inline constexpr std::size_t kMostFollowed = 64;
 
+/// Halvings of a leaf or box to 1/256 of it: a quarter of a tolerance in a cell of 1/16 of the
+/// surface.
+inline constexpr int kHalvingsToSight = 8;
 /// Halvings of a line to 1/4096 of it: enough for a distance of second order.
 inline constexpr int kHalvingsOfSecondOrder = 12;
+/// The part of a line that is left then. Ends whose distance is less than this part of their
+/// distances from what is between them are alike.
+inline constexpr double kOfSecondOrder = 1.0 / (1 << kHalvingsOfSecondOrder);
 /// Halvings of a line to 1e-6 of it, as near as kNearly.
 inline constexpr int kHalvingsToNearly = 20;
 /// Halvings of a line to kSame of it.

@@ -28,15 +28,12 @@ constexpr std::size_t kHopeless = 8;
 /// In tolerances: a box is measured if the surface is no farther from its points, or without such
 /// bounds if the sphere around its box in space is no larger. That leaves one for their distances.
 constexpr double kReach = kProofFactor - 1;
-/// In tolerances: a box in which the surface may be undefined is no longer than two, so that a hole
-/// in it is one deep. Distances of the surface say nothing about its holes.
-constexpr double kReachBesideHoles = 1;
 /// A box is halved twice at once if its bound is more than 256 times too large.
 constexpr double kHalvedTwice = 256;
 
 /// Where the work ends, up to kInBatch patches are ranked by their bounds, and the worst places of
-/// 8 of them are looked for, by halvings of each. Each of the two takes up to 5,000 places.
-constexpr std::size_t kDescents = 8;
+/// kFirstSearched of them are looked for, by halvings of each. Each of the two takes up to 5,000
+/// places.
 constexpr std::size_t kPlacesOfDescents = 5'000;
 
 class Certifier {
@@ -246,7 +243,7 @@ class Certifier {
   /// each, and goes on with the half whose bounds are farther from its corner.
   void descend() {
     const std::size_t boxes = kPlacesOfDescents / budget_.of_box();
-    const std::size_t descents = std::min(kDescents, boxes / (2UL * kHalvingsToNearly) + 1);
+    const std::size_t descents = std::min(kFirstSearched, boxes / (2UL * kHalvingsToNearly) + 1);
     const std::size_t ranked = std::min({kInBatch, boxes, untested_.size()});
     const auto worst = worst_untested(ranked);
     for (std::size_t k = 0; k < std::min(descents, worst.size()); ++k) {
@@ -308,8 +305,10 @@ class Certifier {
   /// Puts a part on the list of boxes whose points are measured, if its bounds are narrow enough.
   bool measure_later(const Part& part, const BoxBounds& bounds) {
     const bool may_have_hole = bounds.broken == GapReason::Undefined;
-    const double allowed =
-        (may_have_hole ? kReachBesideHoles : kReach) * patches_[part.patch].allowed;
+    // A box in which the surface may be undefined is no longer than two tolerances, so that a hole
+    // in it is one deep. Distances of the surface say nothing about its holes.
+    const double tolerance = patches_[part.patch].allowed;
+    const double allowed = may_have_hole ? tolerance : kReach * tolerance;
     const dvec2 size = part.box.size();
     const dvec2 bend(bounds.bend.x, bounds.bend.z);
     if (const auto cells = bounds.cells_within(size, allowed)) {

@@ -23,7 +23,6 @@ constexpr int kLeastHalvings = 6;
 /// parts after 6. If they prove nothing there, they are too wide for the whole line.
 constexpr int kHalvingsToGlance = 2;
 constexpr std::array kGlances = {0.21, 0.53, 0.83};
-constexpr double kGlanceLength = 1.0 / (1 << kLeastHalvings);
 /// The share of a part that its end beside a known discontinuity gets when it is cut: that end is
 /// never proved, and the rest is halved on where bounds are too wide.
 constexpr double kBesideDiscontinuity = 1.0 / 1024;
@@ -119,7 +118,7 @@ class Prover {
 
   /// Whether there is a proof on short boxes of a line.
   bool is_provable(const Line& line) {
-    const dvec2 length = kGlanceLength * (line[1] - line[0]);
+    const dvec2 length = (line[1] - line[0]) / static_cast<double>(1 << kLeastHalvings);
     return std::ranges::any_of(kGlances, [&](double share) {
       const dvec2 at = glm::mix(line[0], line[1], share);
       return is_proved({at, at + length});

@@ -16,11 +16,8 @@ namespace saddle {
 namespace {
 
 /// Shares of a ray that are looked at one after the other: other holes may be behind the nearest
-/// edge. A few of them tell whether a hole is thin.
-constexpr std::array kFewShares = {1.0 / 16, 1.0 / 4, 1.0};
+/// edge. kAwayFromPlace tells whether a hole is thin.
 constexpr std::array kShares = {1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0};
-/// Halvings of the stretch between the last undefined and the first defined place: 1/128 of it.
-constexpr int kHalvingsToRim = 7;
 
 /// From an undefined place along one way.
 struct Ray {
@@ -91,7 +88,7 @@ std::vector<Ray> rays_to_rim(const Surface& surface, std::span<const dvec2> plac
   const auto middle = [](const Ray& ray) {
     return ray.defined ? std::optional(0.5 * (ray.undefined + *ray.defined)) : std::nullopt;
   };
-  for (int k = 0; k < kHalvingsToRim; ++k) look(surface, threads, middle, rays);
+  for (int k = 0; k < kHalvingsToSight; ++k) look(surface, threads, middle, rays);
   return rays;
 }
 
@@ -104,8 +101,8 @@ class Rays {
   std::optional<std::size_t> shortest(const dvec2& reach) const {
     std::optional<std::size_t> line;
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < kLines; ++k) {
-      const double length = glm::length((rays_[k].rim() - rays_[k + kLines].rim()) / reach);
+    for (std::size_t k = 0; k < lines(); ++k) {
+      const double length = glm::length((rays_[k].rim() - rays_[k + lines()].rim()) / reach);
       if (!has_edges(k) || length >= least) continue;
       least = length;
       line = k;
@@ -114,11 +111,11 @@ class Rays {
   }
   /// Whether a line has an edge at both ends.
   bool has_edges(std::size_t line) const {
-    return rays_[line].defined && rays_[line + kLines].defined;
+    return rays_[line].defined && rays_[line + lines()].defined;
   }
   /// From the place to the middle of a line.
   dvec2 to_middle(std::size_t line) const {
-    return 0.5 * (rays_[line].rim() + rays_[line + kLines].rim());
+    return 0.5 * (rays_[line].rim() + rays_[line + lines()].rim());
   }
   HoleRim rim() const {
     HoleRim rim;
@@ -126,9 +123,10 @@ class Rays {
     return rim;
   }
 
-  static constexpr std::size_t kLines = kEightWays.size() / 2;
   /// The line across another one.
-  static std::size_t across(std::size_t line) { return (line + kLines / 2) % kLines; }
+  static std::size_t across(std::size_t line) { return (line + lines() / 2) % lines(); }
+  /// Lines of two rays each.
+  static std::size_t lines() { return kEightWays.size() / 2; }
 
  private:
   std::span<const Ray> rays_;
@@ -137,8 +135,8 @@ class Rays {
 /// Calls f(k, rays of place k).
 template <class F>
 void for_places(std::span<const Ray> rays, F f) {
-  constexpr std::size_t kWays = kEightWays.size();
-  for (std::size_t k = 0; k * kWays < rays.size(); ++k) f(k, Rays(rays.subspan(kWays * k, kWays)));
+  const std::size_t ways = kEightWays.size();
+  for (std::size_t k = 0; k * ways < rays.size(); ++k) f(k, Rays(rays.subspan(ways * k, ways)));
 }
 
 double distance_from_origin(const dvec3& a, const dvec3& b) {
@@ -154,7 +152,7 @@ std::vector<std::optional<ThinHole>> thin_holes(const Surface& surface,
                                                 std::span<const dvec2> undefined,
                                                 const dvec2& reach, unsigned threads) {
   std::vector<std::size_t> thin;
-  for_places(rays_from(surface, undefined, reach, kFewShares, threads),
+  for_places(rays_from(surface, undefined, reach, kAwayFromPlace, threads),
              [&](std::size_t k, const Rays& rays) {
                if (rays.shortest(reach)) thin.push_back(k);
              });

@@ -27,8 +27,6 @@ namespace {
 /// Halvings after which a box whose samples show both sides of a feature is done: 1/128 of each
 /// range. Cells are not much smaller.
 constexpr int kSettledHalvings = 14;
-/// Halvings of a box around an undefined sample, each way, until it is proved to be undefined.
-constexpr int kHalvingsAroundHole = 8;
 /// In boxes: a hole whose edges are closer is measured from edge to edge.
 constexpr double kThinHole = 4;
 /// In differences of the other samples: the middle of a box that is farther from their mean shows
@@ -100,7 +98,7 @@ class LandmarkSearch {
   /// the open box that holds the place.
   std::optional<ParameterBox> hole_around(const dvec2& uv, const dvec2& size) {
     dvec2 half = 0.5 * size;
-    for (int k = 0; k < kHalvingsAroundHole && budget_ > 0; ++k) {
+    for (int k = 0; k < kHalvingsToSight && budget_ > 0; ++k) {
       half *= 0.5;
       --budget_;
       const ParameterBox around = {uv - half, uv + half};

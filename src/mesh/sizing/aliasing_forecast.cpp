@@ -47,18 +47,18 @@ glm::bvec2 AliasingForecast::around(const LinearizationErrors& linearization_err
                                     std::size_t column, std::size_t row,
                                     double unresolvable) const {
   dvec2 count(0);
-  double known = 0;
+  double samples = 0;
   for (std::size_t j = row - std::min<std::size_t>(row, 1); j <= std::min(row + 1, v_.size() - 1);
        ++j) {
     for (std::size_t i = column - std::min<std::size_t>(column, 1);
          i <= std::min(column + 1, u_.size() - 1); ++i) {
       const dvec2& linearization_error = linearization_errors.values[j * u_.size() + i];
-      if (glm::any(glm::isnan(linearization_error))) continue;
-      ++known;
+      ++samples;
+      // False for NaN.
       count += dvec2(glm::greaterThan(linearization_error, dvec2(unresolvable)));
     }
   }
-  return glm::greaterThan(count, dvec2(kOscillatingShare * known));
+  return glm::greaterThan(count, dvec2(kOscillatingShare * samples));
 }
 
 glm::bvec2 AliasingForecast::at(const dvec2& uv) const {

@@ -20,10 +20,6 @@ namespace {
 /// than half of that.
 constexpr double kDip = 0.7;
 
-/// In diagonals: samples on edges of the domain are hardly farther outside of the others, which are
-/// 1/64 of a range apart.
-constexpr double kFarOutside = 1.0 / 16;
-
 /// A surface that one sample in 256 meets, or fewer, lies in a small part of its domain.
 constexpr std::size_t kFewMet = 256;
 
@@ -164,7 +160,7 @@ void Probe::sample_inside(const Surface& surface, unsigned threads) {
 /// which is no part of the surface.
 void Probe::add_to_bounds(const Surface& surface, std::span<const SurfacePoint> edges,
                           std::span<const dvec2> uv) {
-  const double margin = kFarOutside * bounds_.diagonal();
+  const double margin = kFarApart * bounds_.diagonal();
   const dvec2 low(std::min(domain_.u0, domain_.u1), std::min(domain_.v0, domain_.v1));
   const dvec2 high(std::max(domain_.u0, domain_.u1), std::max(domain_.v0, domain_.v1));
   // Just inside of an edge, rounding of products with the parameter leads to no other value.

@@ -11,14 +11,6 @@
 
 namespace saddle {
 
-namespace {
-
-/// The steps at both ends of a line differ by at most the larger one. Where more lines than one
-/// cross in the leaf, sheets change places and steps turn.
-constexpr double kMostTurn = 1;
-
-}  // namespace
-
 JumpLines::JumpLines(const Leaf& leaf, const CellTree& tree) {
   bool are_jumps = true;
   std::size_t corner = 0;
@@ -78,7 +70,8 @@ bool JumpLines::is_plausible(const CellTree& tree) const {
     const dvec3 step = position[here.after] - position[here.before];
     const dvec3 step_there = position[there.before] - position[there.after];
     const double longer = std::max(glm::length(step), glm::length(step_there));
-    if (!(glm::distance(step, step_there) <= kMostTurn * longer)) return false;
+    // Where more lines than one cross in the leaf, sheets change places and steps turn.
+    if (!(glm::distance(step, step_there) <= longer)) return false;
   }
   return true;
 }

@@ -62,9 +62,12 @@ TEST(NewtonStep, IsNoneInAHollow) {
 TEST(CreaseDistance, FindsACuspAndTheNearestPoint) {
   const Surface surface = surface_from_text("u", "v^2", "v^3", {-1, 1, -1, 1}, {}, Order::Second);
   const Line across = {dvec2(0.3, -0.1), dvec2(0.3, 0.25)};
-  EXPECT_NEAR(crease_places(surface, std::span(&across, 1), 1)[0].y, 0, 1e-3);
-  const Line beside = {dvec2(0.3, 0.2), dvec2(0.3, 0.22)};
-  EXPECT_NEAR(crease_places(surface, std::span(&beside, 1), 1)[0].y, 0.21, 1e-12);
+  const auto cusp = crease_places(surface, std::span(&across, 1), 1)[0];
+  ASSERT_TRUE(cusp);
+  EXPECT_NEAR(cusp->uv.y, 0, 1e-3);
+  EXPECT_FALSE(cusp->is_plain);
+  const Line beside = {dvec2(0.3, 0.2), dvec2(0.3, 0.201)};
+  EXPECT_FALSE(crease_places(surface, std::span(&beside, 1), 1)[0]);
   // Its middle is 0.1 from the surface at v = 0.5 along its normal, its parameters are somewhat
   // off.
   const dvec3 middle = dvec3(0.2, 0.25, 0.125) + 0.1 * glm::normalize(dvec3(0, -0.75, 1));
@@ -92,11 +95,22 @@ TEST(CreaseDistance, FindsWhereTheSurfaceIsUprightAsNearAsItsHeightNeeds) {
   const Line across = {dvec2(-0.02, 0), dvec2(0.05, 0)};
   for (const char* z : {"cbrt(abs(u))", "abs(u)^0.25", "cbrt(max(0,u))"}) {
     const Surface root = surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second);
-    const std::vector<dvec2> places = crease_places(root, std::span(&across, 1), 1);
-    EXPECT_NEAR(evaluate(root, places, 1)[0].position.z, 0, 1e-3) << z;
+    const auto crease = crease_places(root, std::span(&across, 1), 1)[0];
+    ASSERT_TRUE(crease) << z;
+    EXPECT_FALSE(crease->is_plain) << z;
+    EXPECT_NEAR(evaluate(root, std::span(&crease->uv, 1), 1)[0].position.z, 0, 1e-3) << z;
   }
-  const Surface roof = surface_from_text("u", "v", "abs(u)", {-1, 1, -1, 1}, {}, Order::Second);
-  EXPECT_NEAR(crease_places(roof, std::span(&across, 1), 1)[0].x, 0.015, 1e-12) << "not upright";
+}
+
+TEST(CreaseDistance, FindsCreasesWithFiniteSlopesAndTellsThemApart) {
+  const Line across = {dvec2(-0.02, 0), dvec2(0.05, 0)};
+  for (const char* z : {"abs(u)", "0.1*abs(u)", "max(u,u^2)"}) {
+    const Surface roof = surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second);
+    const auto crease = crease_places(roof, std::span(&across, 1), 1)[0];
+    ASSERT_TRUE(crease) << z;
+    EXPECT_TRUE(crease->is_plain) << z;
+    EXPECT_NEAR(crease->uv.x, 0, 1e-4) << z;
+  }
 }
 
 struct ToleranceCase {
