@@ -132,7 +132,8 @@ class Cutter {
   /// Joins the first crossing of a cliff with the last, if they are one around a corner.
   void join_first_cliff() {
     if (cliffs_.size() < 3 || creases_.front().place != creases_.back().place) return;
-    std::ranges::rotate(creases_, creases_.end() - static_cast<std::ptrdiff_t>(cliffs_.back()));
+    std::rotate(creases_.begin(), creases_.end() - static_cast<std::ptrdiff_t>(cliffs_.back()),
+                creases_.end());
     cliffs_.front() += cliffs_.back();
     cliffs_.pop_back();
   }
