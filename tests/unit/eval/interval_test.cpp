@@ -73,7 +73,57 @@ TEST(Interval, UnderflowKeepsTheSign) {
   expect_exact(sin(Interval{0, 0}), 0, 0);
 }
 
+/// Ends of boxes whose products and quotients underflow, and ends whose do not.
+constexpr std::array<double, 7> kSmallAndLarge = {-1, -1e-200, 0, 1e-200, 1, 1e200, -1e200};
+
+/// Calls `check` with all boxes that have such ends.
+template <class Check>
+void for_boxes(const Check& check) {
+  for (const double low : kSmallAndLarge) {
+    for (const double high : kSmallAndLarge) {
+      if (low <= high) check(Interval{low, high});
+    }
+  }
+}
+
+TEST(Interval, ProductsAreOnTheSideOfZeroWhereTheirSignsPutThem) {
+  for_boxes([](const Interval& a) {
+    for_boxes([&](const Interval& b) {
+      const Interval r = a * b;
+      const bool any_negative = (a.low < 0 && b.high > 0) || (a.high > 0 && b.low < 0);
+      const bool any_positive = (a.low < 0 && b.low < 0) || (a.high > 0 && b.high > 0);
+      EXPECT_EQ(r.low < 0, any_negative) << a.low << " " << a.high << " " << b.low << " " << b.high;
+      EXPECT_EQ(r.high > 0, any_positive)
+          << a.low << " " << a.high << " " << b.low << " " << b.high;
+    });
+  });
+}
+
+TEST(Interval, QuotientsAreOnTheSideOfZeroWhereTheirSignsPutThem) {
+  for_boxes([](const Interval& a) {
+    for_boxes([&](const Interval& b) {
+      if (b.low <= 0) return;
+      for (const Interval& r : {a / b, -a / -b}) {
+        EXPECT_EQ(r.low < 0, a.low < 0) << a.low << " " << a.high << " " << b.low << " " << b.high;
+        EXPECT_EQ(r.high > 0, a.high > 0)
+            << a.low << " " << a.high << " " << b.low << " " << b.high;
+      }
+    });
+  });
+}
+
+TEST(Interval, NothingIsLostJustWhereUnderflowBegins) {
+  constexpr double kLeast = 0x1p-960;
+  for (const double sign : {-1.0, 1.0}) {
+    const double end = sign * kLeast;
+    expect_exact(Interval{sign * 0x1p-480, sign * 0x1p-480} * Interval{0x1p-480, 0x1p-480}, end,
+                 end);
+    expect_exact(Interval{end, end} / Interval{1, 1}, end, end);
+  }
+}
+
 TEST(Interval, ASquareIsNotNegative) {
+  expect_exact(sqr(Interval{0, 0}), 0, 0);
   expect_exact(sqr(Interval{-1, 2}), 0, 4);
   expect_exact(enclosure("u*u", {-1, 2}), 0, 4);
   expect_exact(enclosure("u^2", {-1, 2}), 0, 4);
@@ -102,6 +152,13 @@ TEST(Interval, DivisionIsExactWhereTheQuotientIs) {
   expect_proved(mod({6, 6}, {3, 3}));
   const Interval third = Interval{1, 1} / Interval{3, 3};
   EXPECT_LT(third.low, third.high);
+}
+
+TEST(Interval, ZeroDividedIsZeroWhereItIsDefined) {
+  for (const Interval& divisor : {Interval{-1, 1}, Interval{0, 4}, Interval{-4, 0}}) {
+    expect_exact(Interval{0, 0} / divisor, 0, 0);
+    expect_pole(Interval{0, 0} / divisor);
+  }
 }
 
 TEST(Interval, DivisionByZeroIsUndefined) {
@@ -187,11 +244,32 @@ TEST(Interval, TheRemainderHoldsWhatTheQuotientsRoundingMakesOfIt) {
   EXPECT_GT(negative, 0);
 }
 
+TEST(Interval, TheRemainderHoldsWhatUnderflowMakesOfIt) {
+  // -1e-400 is -0 in doubles, whose floor leaves all of a.
+  const double computed = apply(Op::Mod, -1e-200, 1e200);
+  EXPECT_EQ(computed, -1e-200);
+  EXPECT_TRUE(contains(mod({-1e-200, -1e-200}, {1e200, 1e200}), computed));
+  expect_exact(mod({0, 1e-300}, {1, 1}), 0, 1e-300);
+}
+
+TEST(Interval, TheRemainderHasTheSignOfItsDivisor) {
+  const Interval across = mod({5.5, 6.5}, {-1, -1});
+  EXPECT_NEAR(across.low, -1, kFewUlps);
+  EXPECT_NEAR(across.high, 0, kFewUlps);
+}
+
 TEST(Interval, RintHoldsWhatTheRoundingOfTheSumMakesOfIt) {
   const double below_half = std::nextafter(0.5, 0);
   const Interval r = rint({below_half, below_half});
   expect_exact(r, 0, 1);  // 0, but in doubles below_half + 0.5 is 1
   EXPECT_FALSE(r.continuous);
+}
+
+TEST(Interval, TheSizeOfABoxOnOneSideOfZeroIsAsWide) {
+  expect_exact(abs(Interval{0.5, 2}), 0.5, 2);
+  expect_exact(abs(Interval{-2, -0.5}), 0.5, 2);
+  expect_exact(abs(Interval{-0.5, 0.25}), 0, 0.5);
+  expect_exact(abs(Interval{-0.25, 0.5}), 0, 0.5);
 }
 
 TEST(Interval, KinksAreContinuous) {
