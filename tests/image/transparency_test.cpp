@@ -9,11 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include "base/error.h"
 #include "image/analytic_mesh.h"
+#include "image/egl.h"
 #include "image/lighting_reference.h"
 #include "image/passes.h"
-#include "render/gl/context.h"
 #include "render/picture/layers.h"
 #include "render/picture/picture.h"
 
@@ -304,11 +303,7 @@ TEST(Transparency, CostsNothingWhereThereIsNone) {
 }
 
 TEST(Transparency, IsTheSameThroughEgl) {
-  try {
-    make_context(Backend::Egl);
-  } catch (const Error& error) {
-    GTEST_SKIP() << error.what();
-  }
+  if (const std::string fault = fault_of_egl(); !fault.empty()) GTEST_SKIP() << fault;
   Scene scene = glowing_scene();
   std::vector<Mesh> meshes;
   add_stack(kStack, scene, meshes);
