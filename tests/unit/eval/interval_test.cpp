@@ -122,6 +122,12 @@ TEST(Interval, NothingIsLostJustWhereUnderflowBegins) {
   }
 }
 
+TEST(Interval, AProductOfAnEndlessBoxIsAsNearToZero) {
+  constexpr double kLeast = 0x1p-960;
+  expect_exact(Interval{kLeast, kInfinity} * Interval{1, 1}, kLeast, kInfinity);
+  expect_exact(Interval{-kInfinity, -kLeast} * Interval{1, 1}, -kInfinity, -kLeast);
+}
+
 TEST(Interval, ASquareIsNotNegative) {
   expect_exact(sqr(Interval{0, 0}), 0, 0);
   expect_exact(sqr(Interval{-1, 2}), 0, 4);
@@ -150,6 +156,8 @@ TEST(Interval, DivisionIsExactWhereTheQuotientIs) {
   expect_exact(Interval{6, 7.5} / Interval{3, 3}, 2, 2.5);
   expect_exact(mod({6, 6}, {3, 3}), 0, 0);
   expect_proved(mod({6, 6}, {3, 3}));
+  constexpr double kQuotient = 0x1p50 + 1;  // of 51 bits; the product with 3 needs 53 at most
+  expect_exact(Interval{3 * kQuotient, 3 * kQuotient} / Interval{3, 3}, kQuotient, kQuotient);
   const Interval third = Interval{1, 1} / Interval{3, 3};
   EXPECT_LT(third.low, third.high);
 }
@@ -256,6 +264,16 @@ TEST(Interval, TheRemainderHasTheSignOfItsDivisor) {
   const Interval across = mod({5.5, 6.5}, {-1, -1});
   EXPECT_NEAR(across.low, -1, kFewUlps);
   EXPECT_NEAR(across.high, 0, kFewUlps);
+}
+
+TEST(Interval, ADifferenceIsNarrowedToWhatTheFunctionsRoundingLeaves) {
+  expect_exact(narrow({0, 2}, {1, 1}, {0, 0}), 1, 1);
+  const Interval r = narrow({-9, 9}, {1, 2}, {-4, 3});
+  const double error = 2 * 100 * rounding::kRoundoff * 4;  // of two values of a hundred steps each
+  EXPECT_LE(r.low, 1 - error);
+  EXPECT_GE(r.low, 1 - 1.01 * error);
+  EXPECT_GE(r.high, 2 + error);
+  EXPECT_LE(r.high, 2 + 1.01 * error);
 }
 
 TEST(Interval, RintHoldsWhatTheRoundingOfTheSumMakesOfIt) {
