@@ -164,7 +164,7 @@ std::vector<dvec2> places_above(const Surface& surface, std::span<const MiddleOf
     search.left[beyond < 0 ? 0 : 1] = middle;
     return std::fabs(beyond) <= kArrived * glm::dot(along, along) || has_no_middle(search.left);
   };
-  bisect_together(surface, searches, open, kHalvingsToLeast, threads, next, is_done);
+  bisect_together(surface, searches, open, {kHalvingsToLeast, threads}, next, is_done);
   std::vector<dvec2> places;
   places.reserve(searches.size());
   for (const Search& search : searches) places.push_back(search.place);
@@ -184,7 +184,7 @@ std::vector<dvec2> crease_places(const Surface& surface, std::span<const Line> l
     narrow(search, middle, point);
     return search.is_plain() || search.is_done();
   };
-  bisect_together(surface, searches, open, kAllHalvings, threads, next, is_done);
+  bisect_together(surface, searches, open, {kAllHalvings, threads}, next, is_done);
   for (const CreaseSearch& search : searches) {
     if (!search.is_plain()) places[search.number] = search.left[0];
   }
