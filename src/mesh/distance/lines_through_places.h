@@ -30,7 +30,7 @@ class LinesThroughPlaces {
 
   /// Chooses the first places at which the surface is asked for.
   void begin();
-  /// Those chosen now, also outside of the domain.
+  /// The places that are chosen now, also outside of the domain.
   std::vector<dvec2> places() const;
   void add_samples(std::span<const dvec3> points);
   /// Chooses the places that follow those of a round, of which there are kRounds at most.
