@@ -37,6 +37,10 @@ FormulaText formula_of(const Definition& definition);
 /// An error about the name of a definition, not about its formula.
 Error name_error(const Definition& definition, std::string message, std::string hint);
 
+/// Throws Error (Input) if no scene can have this definition, whatever else it has: it defines u,
+/// v, t or a function of the language, or two of its arguments have one name.
+void check_names(const Definition& definition);
+
 /// A name that means a place: x, y, z, and xyz for all of them.
 bool is_coordinate(std::string_view name);
 

@@ -113,28 +113,13 @@ struct Scope::Impl {
 
   void check_name(const Definition& definition) {
     const std::string& name = definition.name;
-    const bool is_own_parameter = definition.own && independent_variable(name).has_value();
-    if (name == "u" || name == "v" || name == "t" || is_own_parameter) {
+    if (definition.own && name != "t" && independent_variable(name).has_value()) {
       throw name_error(definition, "'" + name + "' cannot be defined",
-                       is_own_parameter && name != "t"
-                           ? name + " is a parameter of the surface; choose another name"
-                           : "u, v and t are what formulas depend on; choose another name");
+                       name + " is a parameter of the surface; choose another name");
     }
-    const BuiltIn* const built_in = find_built_in(name);
-    if (built_in != nullptr && !can_be_hidden(*built_in)) {
-      throw name_error(definition, "'" + name + "' is a function of the language",
-                       "choose another name");
-    }
+    check_names(definition);
     if (find(name, definition.own) != nullptr) {
       throw name_error(definition, "'" + name + "' is defined twice", "choose another name");
-    }
-    for (std::size_t i = 0; i < definition.arguments.size(); ++i) {
-      const auto rest = definition.arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1;
-      if (std::find(rest, definition.arguments.end(), definition.arguments[i]) !=
-          definition.arguments.end()) {
-        throw name_error(definition, "two arguments are called '" + definition.arguments[i] + "'",
-                         "give each its own name");
-      }
     }
   }
 

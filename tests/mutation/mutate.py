@@ -9,11 +9,14 @@ PART: a folder or a file of src/, such as eval, mesh/tree or eval/interval.cpp."
 import argparse
 import collections
 import concurrent.futures
+import contextlib
 import mmap
 import os
 import pathlib
 import random
 import re
+import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -30,6 +33,7 @@ SLOWEST = 10  # seconds
 TOGETHER = 20
 PATIENCE = 5  # times as long as the tests take; then the mutant counts as killed: it hangs
 BUILDS = 12
+LARGEST_FILE = 8 << 30  # bytes: tests make some of 4 GiB, without content
 
 # name of the operator -> (its name in mutants.h, the operator of the same precedence, mutants)
 OPERATORS = {
@@ -140,6 +144,11 @@ class Mutator:
         return f'#include "{COPY / HERE}/mutants.h"\n#line 1 "{COPY / file}"\n{text}'
 
 
+def limit_files():
+    """A mutant may write without an end."""
+    resource.setrlimit(resource.RLIMIT_FSIZE, (LARGEST_FILE, LARGEST_FILE))
+
+
 def write_if_new(path, data):
     if not path.exists() or path.read_bytes() != data:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -223,13 +232,18 @@ class Run:
         """Whether the tests pass."""
         command = [BUILD / f"test_{program}", "--gtest_fail_fast", "--gtest_filter=" + ":".join(names)]
         with tempfile.TemporaryDirectory(prefix="mutant-") as folder:
+            process = subprocess.Popen(
+                command, cwd=COPY, env={**os.environ, "TMPDIR": folder, **variables},
+                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                start_new_session=True, preexec_fn=limit_files)
             try:
-                return subprocess.run(
-                    command, cwd=COPY, env={**os.environ, "TMPDIR": folder, **variables},
-                    stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                    timeout=seconds).returncode == 0
+                return process.wait(seconds) == 0
             except subprocess.TimeoutExpired:
                 return False
+            finally:  # also what a test has started, which may go on without it
+                with contextlib.suppress(ProcessLookupError):
+                    os.killpg(process.pid, signal.SIGKILL)
+                process.wait()
 
     def reach(self, mutants):
         """For each mutant the tests that reach it, as (seconds, program, name); those impossible."""

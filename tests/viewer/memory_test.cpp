@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sanitized.h"
 #include "viewer/workplace.h"
 
 namespace saddle {
@@ -21,9 +22,7 @@ std::size_t pages() {
 }
 
 TEST_F(Workplace, GivesFreeMemoryBackWhenItRests) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "the heap is the sanitizer's";
-#endif
+  if (kIsSanitized) GTEST_SKIP() << "the heap is the sanitizer's";
   Viewer viewer(setup_of(entry("torus")));
   ASSERT_TRUE(until(viewer, [&] { return viewer.is_tidy(); }));
   constexpr std::size_t kBlock = 8192;

@@ -26,7 +26,8 @@ constexpr double kNodes = 331;
 constexpr double kApart = 25;
 
 constexpr dvec2 kEye{45, kRowOfSurface};
-constexpr int kEnd = 269;  // GLFW's
+constexpr int kHome = 268;  // GLFW's
+constexpr int kEnd = 269;
 
 class PanelRows : public Workplace {
  protected:
@@ -194,6 +195,23 @@ TEST_F(PanelRows, TakeNoDefinitionWithoutAFormula) {
   EXPECT_EQ(viewer.model().scene().definitions[2].text, "r");
 }
 
+TEST_F(PanelRows, TakeNoDefinitionOfAFunctionsName) {
+  Viewer viewer(setup_of(entry("torus")));
+  ASSERT_TRUE(rests(viewer));
+  press_row(viewer, kRowOfParameter + 2 * kApart);
+  type(viewer, "sin=2");
+  key(viewer, "Return", kReturn);
+  ASSERT_TRUE(rests(viewer));
+  EXPECT_EQ(viewer.model().scene().definitions.size(), 2U);
+  EXPECT_FALSE(viewer.model().error()) << viewer.model().error()->what();
+  key(viewer, "", kHome);
+  type(viewer, "my");
+  key(viewer, "Return", kReturn);
+  ASSERT_TRUE(rests(viewer));
+  ASSERT_EQ(viewer.model().scene().definitions.size(), 3U);
+  EXPECT_EQ(viewer.model().scene().definitions[2].name, "mysin");
+}
+
 /// Two surfaces and a curve, all of them with an x, y and z; none is unfolded at first.
 Scene three_objects() {
   Scene scene;
@@ -208,6 +226,46 @@ Scene three_objects() {
   curve.name = "curve";
   curve.x = curve.y = curve.z = "s";
   return scene;
+}
+
+TEST_F(PanelRows, LeaveButtonsOutWhereNamesHaveNoRoom) {
+  const auto setup_in = [&](int window) {
+    Scene scene = three_objects();
+    scene.surfaces[0].name = "hyperboloid 1";
+    scene.surfaces[1].name = "hyperboloid 2";
+    scene.surfaces.push_back(scene.surfaces[0]);  // so many that they are folded
+    scene.surfaces[2].name = "hyperboloid 3";
+    ViewerSetup setup = setup_of(std::move(scene));
+    setup.scene.picture.width = window - kPanelWidth;
+    return setup;
+  };
+  constexpr int kNarrow = 330;  // the panel has 148
+  constexpr int kWider = 400;   // 180
+  const auto has_deleted = [](Viewer& viewer, double x) {
+    press_at(viewer, {x, kRowOfSurface + kApart});
+    return viewer.model().scene().surfaces.size() == 2;
+  };
+  {
+    Viewer viewer(setup_in(kNarrow));
+    ASSERT_TRUE(rests(viewer));
+    const Image screen = screenshot();
+    const auto row = [&](double middle) {
+      std::string letters;
+      for (int y = -8; y < 8; ++y) {
+        for (int x = 30; x < 126; ++x) {
+          letters += screen.pixel(x, static_cast<int>(middle) + y)[0] > 100 ? '#' : ' ';
+        }
+      }
+      return letters;
+    };
+    EXPECT_GT(std::ranges::count(row(kRowOfSurface), '#'), 40);
+    // Both names begin alike, and the second row alone would have a button for one place up.
+    EXPECT_EQ(row(kRowOfSurface), row(kRowOfSurface + kApart));
+    EXPECT_FALSE(has_deleted(viewer, 114));
+  }
+  Viewer viewer(setup_in(kWider));
+  ASSERT_TRUE(rests(viewer));
+  EXPECT_TRUE(has_deleted(viewer, 146));
 }
 
 TEST_F(PanelRows, MarkAMistakeInItsOwnObjectAlone) {

@@ -51,6 +51,10 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
     }
     if (!triangles.empty()) return add_chords(leaf, number, triangles, FeatureKind::Boundary);
   }
+  add_omitted(leaf, number);
+}
+
+void BoundaryDistance::add_omitted(const Leaf& leaf, std::size_t number) {
   add_bulges(leaf, number);
   omitted_.push_back(number);
   const dvec2 low = tree_.vertices().parameters(leaf.low);
@@ -114,6 +118,7 @@ void BoundaryDistance::add_flat_sheets(const Leaf& leaf, std::size_t number, dou
     const Chord ends = {sheet.front().corner, sheet.back().corner};
     const dvec2 along = place(ends[1]) - place(ends[0]);
     std::vector<dvec2> starts;
+    starts.reserve(kAlongLine.size());
     for (const double share : kAlongLine)
       starts.push_back(low + size * glm::mix(place(ends[0]), place(ends[1]), share));
     const std::vector<SurfacePoint> points = evaluate(surface_, starts, threads_);
@@ -129,6 +134,27 @@ void BoundaryDistance::add_flat_sheets(const Leaf& leaf, std::size_t number, dou
       jumps_.push_back({number, {}, {}, ends, start, start, start, beyond, std::nullopt, false});
     }
   }
+}
+
+/// The sides of a triangle that are chords of a boundary or jump.
+std::vector<BoundaryDistance::OuterSide> BoundaryDistance::outer_chords(
+    const Leaf& leaf, const Triangle& t, const CellTriangles& by_sides) const {
+  const dvec2 low = tree_.vertices().parameters(leaf.low);
+  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
+  const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
+  std::vector<OuterSide> chords;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t a = t[i];
+    const std::uint32_t b = t[(i + 1) % 3];
+    const std::uint32_t opposite = t[(i + 2) % 3];
+    if (by_sides.has_side(b, a)) continue;  // a diagonal
+    const dvec2 middle = 0.5 * (place(a) + place(b));
+    if (!is_chord(middle, {a, b}, tree_)) continue;
+    const dvec2 outward =
+        glm::mix(place(a), place(b), foot(a, b, grid_.mesh.position[opposite])) - place(opposite);
+    if (outward != dvec2(0)) chords.push_back({a, b, opposite, outward});
+  }
+  return chords;
 }
 
 void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
@@ -152,23 +178,14 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
           return tree_.vertices().is_on_feature(corner);
         }))
       continue;
-    std::vector<Triangle> sheet;  // made for its first chord
+    const std::vector<OuterSide> sides = outer_chords(leaf, t, by_sides);
+    if (sides.empty()) continue;
+    const std::vector<Triangle> sheet = by_sides.connected_to(k);
     std::vector<PlacedTriangle> placed;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = t[i];
-      const std::uint32_t b = t[(i + 1) % 3];
-      const std::uint32_t opposite = t[(i + 2) % 3];
-      if (by_sides.has_side(b, a)) continue;  // a diagonal
-      const dvec2 middle = 0.5 * (place(a) + place(b));
-      if (!is_chord(middle, {a, b}, tree_)) continue;
-      const dvec2 outward =
-          glm::mix(place(a), place(b), foot(a, b, grid_.mesh.position[opposite])) - place(opposite);
-      if (outward == dvec2(0)) continue;
-      if (sheet.empty()) {
-        sheet = by_sides.connected_to(k);
-        for (const Triangle& other : sheet)
-          placed.push_back({other, {place(other[0]), place(other[1]), place(other[2])}});
-      }
+    placed.reserve(sheet.size());
+    for (const Triangle& other : sheet)
+      placed.push_back({other, {place(other[0]), place(other[1]), place(other[2])}});
+    for (const auto& [a, b, opposite, outward] : sides) {
       for (const double share : places) {
         const dvec2 at = glm::mix(place(a), place(b), share);
         // A jump is looked for from a corner, which is on the sheet, through the place.

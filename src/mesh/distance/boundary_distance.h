@@ -19,6 +19,7 @@
 namespace saddle {
 
 class CellTree;
+class CellTriangles;
 
 class BoundaryDistance {
  public:
@@ -64,6 +65,16 @@ class BoundaryDistance {
   };
   void add_chords(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
                   FeatureKind kind);
+  /// A side of a triangle, its corner across, and the way from that straight to the side.
+  struct OuterSide {
+    std::uint32_t a;
+    std::uint32_t b;
+    std::uint32_t opposite;
+    dvec2 outward;  ///< in sides of the leaf
+  };
+  std::vector<OuterSide> outer_chords(const Leaf& leaf, const Triangle& t,
+                                      const CellTriangles& by_sides) const;
+  void add_omitted(const Leaf& leaf, std::size_t number);
   void add_bulges(const Leaf& leaf, std::size_t number);
   void add_flat_sheets(const Leaf& leaf, std::size_t number, double allowed);
   std::optional<dvec2> outside_of(const Leaf& leaf, std::span<const Triangle> sheet,

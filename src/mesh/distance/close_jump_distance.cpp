@@ -94,8 +94,7 @@ std::vector<std::vector<Line>> CloseJumpDistance::jumps_between_strips(double de
           bracket_of({uv[next], uv[next + 1]}, across.line, points[next], points[next + 1]));
     ++next;
   }
-  const auto found =
-      bisect_positions(surface_, gaps, delta, Prefer::Largest, kAllHalvings, threads_, looks_);
+  const auto found = bisect_positions(surface_, gaps, {delta}, threads_, looks_);
   std::vector<std::vector<Line>> jumps(across_.size());
   next = 0;
   for (std::size_t i = 0; i < across_.size(); ++i) {

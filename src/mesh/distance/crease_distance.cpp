@@ -167,7 +167,7 @@ std::vector<dvec2> places_above(const Surface& surface, std::span<const MiddleOf
     return std::fabs(beyond) <= kOfSecondOrder * glm::dot(along, along) ||
            has_no_middle(search.left);
   };
-  bisect_together(surface, searches, open, kHalvingsToLeast, threads, next, is_done);
+  bisect_together(surface, searches, open, {kHalvingsToLeast, threads}, next, is_done);
   std::vector<dvec2> places;
   places.reserve(searches.size());
   for (const Search& search : searches) places.push_back(search.place);
@@ -187,7 +187,7 @@ std::vector<std::optional<CreasePlace>> crease_places(const Surface& surface,
     narrow(search, middle, point);
     return search.is_plain() || search.is_done();
   };
-  bisect_together(surface, searches, open, kAllHalvings, threads, next, is_done);
+  bisect_together(surface, searches, open, {kAllHalvings, threads}, next, is_done);
   for (const CreaseSearch& search : searches)
     places[search.number] = CreasePlace{search.left[0], search.is_plain()};
   return places;

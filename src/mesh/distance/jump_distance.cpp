@@ -66,7 +66,8 @@ void BoundaryDistance::end_at_jumps(std::span<const std::size_t> numbers, double
                                     std::vector<std::optional<SheetEnd>>& ends) {
   std::vector<Line> ways;
   for (const std::size_t k : numbers) ways.push_back({jumps_[k].opposite, jumps_[k].beyond});
-  const auto found = sheet_ends(surface_, ways, least, kHalvingsToNearly, clip_, threads_, looks_);
+  const auto found =
+      sheet_ends(surface_, ways, {least, kHalvingsToNearly, clip_}, threads_, looks_);
   std::vector<std::size_t> open;
   std::vector<Line> outside;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -77,7 +78,7 @@ void BoundaryDistance::end_at_jumps(std::span<const std::size_t> numbers, double
     outside.push_back({jumps_[k].beyond, *jumps_[k].outside});
   }
   const auto more =
-      sheet_ends(surface_, outside, least, kHalvingsToNearly, clip_, threads_, looks_);
+      sheet_ends(surface_, outside, {least, kHalvingsToNearly, clip_}, threads_, looks_);
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (more[i] && more[i]->kind == SheetEnd::Kind::Jump) ends[open[i]] = more[i];
   }

@@ -6,9 +6,9 @@
 #include <functional>
 
 #include "base/parallel.h"
+#include "mesh/distance/lines_through_places.h"
 #include "mesh/distance/sampled_error.h"
 #include "mesh/model/clip.h"
-#include "mesh/model/nearest_on_line.h"
 #include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
 
@@ -18,17 +18,6 @@ namespace {
 
 /// The first step of a compass search, in sizes of the box; a round without success halves it.
 constexpr double kFirstStep = 0.25;
-/// Further directions, as parts of the way in u and in v: with those of the parameters one is
-/// within 11 degrees of the direction straight across a steep wall, and too long by 2 % at most.
-constexpr std::array kAslant = {dvec2(1, 1),      dvec2(1, -1),      dvec2(1, 0.4142),
-                                dvec2(0.4142, 1), dvec2(1, -0.4142), dvec2(0.4142, -1)};
-/// Lines through a place of the mesh: two of parameters, three to the corners, and those aslant, if
-/// there are cliffs.
-constexpr std::size_t kStraight = 5;
-constexpr std::size_t kLines = kStraight + kAslant.size();
-/// Lines that are sampled after each of the first rounds: the next ones begin where a place is
-/// still too far off.
-constexpr std::array<std::size_t, 4> kBegun = {1, 2, kStraight, kLines};
 /// Places of the mesh that are searched at most: 250 evaluations each.
 constexpr std::size_t kMostSearched = 192;
 /// The search climbs from the farthest kFirstSearched places of the mesh, in 4 rounds, if they are
@@ -38,6 +27,10 @@ constexpr int kClimbsOnMesh = 4;
 constexpr double kClimbedShare = 0.5;
 /// Rounds of the climb in each of many triangles.
 constexpr int kClimbsOfTriangles = 2;
+
+std::array<dvec2, 3> parameters_of(const Triangle& t, const Mesh& mesh) {
+  return {mesh.uv[t[0]], mesh.uv[t[1]], mesh.uv[t[2]]};
+}
 
 }  // namespace
 
@@ -141,75 +134,25 @@ std::vector<WholeMeshError::Expected> WholeMeshError::expect(
   return result;
 }
 
-/// Searches the surface along lines through each place: both lines of parameters, as far to both
-/// sides as its triangle reaches along one of them, the lines to the corners, and others. Both
-/// lines of parameters start from samples within the triangle's own extent, too: a triangle along a
-/// ridge is much longer than the ridge is wide. A line is sampled only where the samples of those
-/// before it are too far off.
 std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expected> places,
                                                             double least, double tolerance) const {
-  constexpr std::array<double, 9> kStarts = {-1, -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1};
   const dvec2 range = box_of(surface_.domain).size();
+  LinesThroughPlaces lines(least, kUnnoticed * tolerance, has_cliffs_);
   std::vector<Nearest> result;
-  std::vector<NearestOnLine> lines;
-  std::vector<double> own;  // the triangle's own extent, as a share of each line
-  std::vector<std::pair<std::size_t, double>> tries;
   for (const Expected& expected : places) {
-    dvec2 low = grid_.mesh.uv[(*expected.place.triangle)[0]];
-    dvec2 high = low;
-    for (const std::uint32_t corner : *expected.place.triangle) {
-      low = glm::min(low, grid_.mesh.uv[corner]);
-      high = glm::max(high, grid_.mesh.uv[corner]);
-    }
-    const dvec3 p = position_of(expected.place);
     const dvec2 uv = uv_of(expected.place);
-    const dvec2 size = (high - low) / range;
-    const dvec2 reach = std::max(size.x, size.y) * range;
-    for (int axis = 0; axis < 2; ++axis) {
-      dvec2 way(0);
-      way[axis] = reach[axis];
-      own.push_back((high[axis] - low[axis]) / reach[axis]);
-      lines.emplace_back(p, uv, way);
-    }
-    for (const std::uint32_t corner : *expected.place.triangle)
-      lines.emplace_back(p, uv, grid_.mesh.uv[corner] - uv);
-    for (const dvec2& direction : kAslant) lines.emplace_back(p, uv, reach * direction);
-    own.resize(lines.size());
+    const dvec2 reach = lines.add_place(position_of(expected.place), uv,
+                                        parameters_of(*expected.place.triangle, grid_.mesh), range);
     result.push_back({expected.place, {expected.near, uv}, kFirstStep * reach});
   }
-  const auto begin = [&](std::size_t k) {
-    lines[k].reserve(2 * kStarts.size());
-    for (const double t : kStarts) {
-      tries.emplace_back(k, t);
-      if (own[k] > 0 && own[k] < 1) tries.emplace_back(k, own[k] * t);
-    }
-  };
-  for (std::size_t first = 0; first < lines.size(); first += kLines) begin(first);
-  for (std::size_t round = 0; round < kBegun.size() + kHalvingsToEdge && !tries.empty(); ++round) {
-    std::vector<dvec2> uv;
-    for (const auto& [k, t] : tries) uv.push_back(within_domain(lines[k].uv(t)));
-    const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);
-    for (std::size_t i = 0; i < tries.size(); ++i)
-      lines[tries[i].first].add(tries[i].second, points[i]);
-    tries.clear();
-    const std::size_t begun = round < kBegun.size() ? kBegun[round] : kLines;
-    const std::size_t next = round + 1 < kBegun.size() ? kBegun[round + 1] : kLines;
-    for (std::size_t first = 0; first < lines.size(); first += kLines) {
-      const auto of_place = std::span(lines).subspan(first, kLines);
-      const auto is_near = [&](const NearestOnLine& line) { return line.distance() <= least; };
-      if (std::ranges::any_of(of_place, is_near)) continue;
-      if (begun < kStraight || has_cliffs_) {
-        for (std::size_t k = first + begun; k < first + next; ++k) begin(k);
-      }
-      for (std::size_t k = first; k < first + begun && round > 0; ++k) {
-        if (const auto t = lines[k].next(kUnnoticed * tolerance)) tries.emplace_back(k, *t);
-      }
-    }
+  lines.begin();
+  for (std::size_t round = 0; round < LinesThroughPlaces::kRounds && !lines.is_done(); ++round) {
+    std::vector<dvec2> uv = lines.places();
+    for (dvec2& at : uv) at = within_domain(at);
+    lines.add_samples(evaluate_positions(surface_, uv, threads_));
+    lines.go_on(round);
   }
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    PlacedError& error = result[k / kLines].error;
-    if (lines[k].distance() < error.distance) error = {lines[k].distance(), lines[k].nearest()};
-  }
+  for (std::size_t k = 0; k < result.size(); ++k) lines.improve(k, result[k].error);
   return result;
 }
 
@@ -217,6 +160,7 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expe
 void WholeMeshError::descend(std::span<Nearest> nearest) const {
   for (int round = 0; round < kHalvingsToNearly; ++round) {
     std::vector<dvec2> uv;
+    uv.reserve(kFourWays.size() * nearest.size());
     for (const Nearest& n : nearest) {
       for (const dvec2& way : kFourWays) uv.push_back(within_domain(n.error.uv + n.reach * way));
     }
@@ -290,6 +234,7 @@ std::vector<WholeMeshError::FarTriangle> WholeMeshError::farther_than(
     keep_farthest(all_above(beside, least));
   }
   std::vector<FarTriangle> result;
+  result.reserve(farthest.size());
   for (const Nearest& n : farthest) result.push_back({n.place.triangle, n.error.distance});
   return result;
 }

@@ -126,7 +126,7 @@ void FaceDistance::find(std::vector<Crossing>& crossings) {
     crossing.last_end = end;
     return height == 0 || glm::distance(crossing.position, before) < enough_;
   };
-  bisect_together(surface_, crossings, open, kHalvingsToNearly, threads_, place, is_done);
+  bisect_together(surface_, crossings, open, {kHalvingsToNearly, threads_}, place, is_done);
 }
 
 /// Lines across the middles between the places where the sides of cuts cross faces.

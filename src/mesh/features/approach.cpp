@@ -125,7 +125,7 @@ std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> li
     line[is_seen(box, p) ? 0 : 1] = middle;
     return is_last;
   };
-  bisect_together(surface, ends, open, halvings, threads, middle_or_zero, is_done);
+  bisect_together(surface, ends, open, {halvings, threads}, middle_or_zero, is_done);
   std::vector<dvec2> last(ends.size());
   std::ranges::transform(ends, last.begin(), [](const Line& line) { return line[0]; });
   return last;

@@ -204,6 +204,35 @@ dvec2 within(const Line& line, std::size_t end, const dvec2& place) {
   return is_beyond ? line[end] : place;
 }
 
+/// One end of a jump, looked at outward.
+struct OutwardEnd {
+  dvec2 uv;     ///< where it moves
+  dvec3 value;  ///< there
+  dvec3 far;    ///< the value at the place kFarOutward
+  std::size_t moves = 0;
+};
+
+/// `uv` and `points` of the end's places, kOutward.size() of them, have those of the jump's other
+/// end between them.
+OutwardEnd moved_outward(const Search& jump, std::size_t end, std::span<const dvec2> uv,
+                         std::span<const SurfacePoint> points, const BisectedVector& bisected) {
+  OutwardEnd moved{jump.ends[end], jump.at_ends[end],
+                   bisected.value(points[2 * kFarOutward + end])};
+  dvec3 before = jump.at_ends[end];
+  for (std::size_t step = 0; step < kOutward.size(); ++step) {
+    const std::size_t next = 2 * step + end;
+    const dvec3 outward = bisected.value(points[next]);
+    if (is_finite(outward) && gap_between(outward, before) >= bisected.beyond) {
+      const bool is_steep = step + 1 == kOutward.size();
+      moved.uv = is_steep ? jump.ends[end] : uv[next];
+      moved.value = is_steep ? jump.at_ends[end] : outward;
+      ++moved.moves;
+    }
+    before = outward;
+  }
+  return moved;
+}
+
 /// Moves ends of jumps outward. At a jump a formula may have a value of its own, as sign(0) is 0,
 /// for some doubles: it belongs to neither side. An end moves to the last place outward whose value
 /// is far from the one before, within its line. If that is the outermost place, the surface is
@@ -226,31 +255,18 @@ void look_outward(const Surface& surface, std::span<const Bracket> gaps, std::sp
   const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
   for (std::size_t k = 0; k < jumps.size(); ++k) {
     Search& jump = searches[jumps[k]];
-    std::array<dvec3, 2> at_ends = jump.at_ends;
-    std::array<dvec3, 2> far;
-    std::size_t moves = 0;
-    for (std::size_t end = 0; end < 2; ++end) {
-      dvec3 before = jump.at_ends[end];
-      far[end] = bisected.value(points[2 * (k * kOutward.size() + kFarOutward) + end]);
-      dvec2 last = jump.ends[end];
-      for (std::size_t step = 0; step < kOutward.size(); ++step) {
-        const std::size_t next = 2 * (k * kOutward.size() + step) + end;
-        const dvec3 outward = bisected.value(points[next]);
-        if (is_finite(outward) && gap_between(outward, before) >= bisected.beyond) {
-          const bool is_steep = step + 1 == kOutward.size();
-          last = is_steep ? jump.ends[end] : uv[next];
-          at_ends[end] = is_steep ? jump.at_ends[end] : outward;
-          ++moves;
-        }
-        before = outward;
-      }
-      jump.found.ends[end] = last;
-    }
+    const std::size_t first = 2 * k * kOutward.size();
+    const auto moved = [&](std::size_t end) {
+      return moved_outward(jump, end, std::span(uv).subspan(first),
+                           std::span(points).subspan(first), bisected);
+    };
+    const std::array ends = {moved(0), moved(1)};
+    jump.found.ends = {ends[0].uv, ends[1].uv};
     // Normals may turn slowly into a crease.
-    const bool shrinks =
-        gap_between(at_ends[0], at_ends[1]) < kShrinks * gap_between(far[0], far[1]);
+    const bool shrinks = gap_between(ends[0].value, ends[1].value) <
+                         kShrinks * gap_between(ends[0].far, ends[1].far);
     if (!bisected.are_positions) continue;
-    if (moves > kMostMoves) jump.found.kind = Discontinuity::Pole;
+    if (ends[0].moves + ends[1].moves > kMostMoves) jump.found.kind = Discontinuity::Pole;
     if (shrinks) jump.found.kind = Discontinuity::None;
   }
 }
@@ -314,10 +330,10 @@ std::vector<LocatedDiscontinuity> bisect_discontinuities(const Surface& surface,
     return search.done;
   };
   const int plain = bisected.height ? bisected.plain : bisected.halvings;
-  bisect_together(surface, searches, open, plain, threads, place, is_done);
+  bisect_together(surface, searches, open, {plain, threads}, place, is_done);
   if (bisected.height) {
     evaluate_heights(surface, searches, open, bisected, threads);
-    bisect_together(surface, searches, open, kAllHalvings - plain, threads, place, is_done);
+    bisect_together(surface, searches, open, {kAllHalvings - plain, threads}, place, is_done);
   }
   for (const std::size_t k : open) finish(searches[k], at_last_digits(searches[k], bisected.delta));
   if (bisected.halvings >= kAllHalvings) look_outward(surface, gaps, searches, bisected, threads);
@@ -327,21 +343,21 @@ std::vector<LocatedDiscontinuity> bisect_discontinuities(const Surface& surface,
 }
 
 std::vector<LocatedDiscontinuity> bisect_positions(const Surface& surface,
-                                                   std::span<const Bracket> gaps, double delta,
-                                                   Prefer prefer, int halvings, unsigned threads,
-                                                   std::size_t& work) {
+                                                   std::span<const Bracket> gaps,
+                                                   const BisectedPositions& bisected,
+                                                   unsigned threads, std::size_t& work) {
   /// A smooth part of a leaf leaves less than 4 tolerances unexplained by its slopes: its sagitta
   /// is a quarter of that.
   constexpr double kSmooth = 4;
   const BisectedVector positions = {
       .value = [](const SurfacePoint& point) { return point.position; },
       .height = {},
-      .delta = delta,
-      .beyond = delta,
+      .delta = bisected.delta,
+      .beyond = bisected.delta,
       .are_positions = true,
       .plain = 0,
-      .halvings = halvings,
-      .first_gap = prefer == Prefer::First ? kSmooth * delta : kInfinity};
+      .halvings = bisected.halvings,
+      .first_gap = bisected.prefer == Prefer::First ? kSmooth * bisected.delta : kInfinity};
   return bisect_discontinuities(surface, gaps, positions, threads, work);
 }
 

@@ -70,11 +70,18 @@ std::vector<LocatedDiscontinuity> bisect_discontinuities(const Surface& surface,
 /// Which of several jumps of a line is found.
 enum class Prefer : std::uint8_t { Largest, First };
 
+/// How positions are bisected: see BisectedVector.
+struct BisectedPositions {
+  double delta;
+  Prefer prefer = Prefer::Largest;
+  int halvings = kAllHalvings;
+};
+
 /// The same for positions. Adds to `work` the number of points evaluated.
 std::vector<LocatedDiscontinuity> bisect_positions(const Surface& surface,
-                                                   std::span<const Bracket> gaps, double delta,
-                                                   Prefer prefer, int halvings, unsigned threads,
-                                                   std::size_t& work);
+                                                   std::span<const Bracket> gaps,
+                                                   const BisectedPositions& bisected,
+                                                   unsigned threads, std::size_t& work);
 
 /// The place at which lines are halved: a little off the middle, where formulas often have cusps
 /// and no normal.

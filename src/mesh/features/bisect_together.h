@@ -30,23 +30,29 @@ inline std::vector<std::size_t> all_open(std::size_t count) {
   return open;
 }
 
-/// Runs rounds, `rounds` at most, on the searches whose numbers are in `open`. A round evaluates
+/// How many rounds there are at most, and the threads for each.
+struct Rounds {
+  int most = 0;
+  unsigned threads = 1;
+};
+
+/// Runs rounds on the searches whose numbers are in `open`. A round evaluates
 /// the surface at place(search) of each. Then is_done(search, uv, point) narrows the search to one
 /// of its parts, and tells whether it ends: its number leaves `open`. The point is a SurfacePoint,
 /// or a position, if is_done() takes one.
 template <class Search, class Place, class IsDone>
 void bisect_together(const Surface& surface, std::vector<Search>& searches,
-                     std::vector<std::size_t>& open, int rounds, unsigned threads, Place place,
+                     std::vector<std::size_t>& open, const Rounds& rounds, Place place,
                      IsDone is_done) {
   std::vector<dvec2> uv;
-  for (int round = 0; round < rounds && !open.empty(); ++round) {
+  for (int round = 0; round < rounds.most && !open.empty(); ++round) {
     uv.clear();
     for (const std::size_t k : open) uv.push_back(place(searches[k]));
     const auto points = [&] {
       if constexpr (std::is_invocable_v<IsDone, Search&, const dvec2&, const SurfacePoint&>) {
-        return evaluate(surface, uv, threads);
+        return evaluate(surface, uv, rounds.threads);
       } else {
-        return evaluate_positions(surface, uv, threads);
+        return evaluate_positions(surface, uv, rounds.threads);
       }
     }();
     std::size_t kept = 0;

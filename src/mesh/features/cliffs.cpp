@@ -107,7 +107,7 @@ void halve_to_cliffs(const Surface& surface, double delta, unsigned threads,
     const double least = kUnnoticed * delta;
     return search.doubted ? take_doubted(search, place, least) : take_middle(search, place, least);
   };
-  bisect_together(surface, searches, open, kHalvingsToEdge, threads, next, is_done);
+  bisect_together(surface, searches, open, {kHalvingsToEdge, threads}, next, is_done);
   std::erase_if(found, [&](std::size_t k) { return !searches[k].on_cliff; });
   open = std::move(found);
 }
@@ -147,7 +147,7 @@ void find_ends(const Surface& surface, double delta, unsigned threads,
     const double way = std::fabs(search.cliff->on_cliff->share - search.last);
     return std::fabs(search.beyond - search.last) <= kNearEnd * way;
   };
-  bisect_together(surface, sheets, open, kHalvingsToEdge, threads, next, is_done);
+  bisect_together(surface, sheets, open, {kHalvingsToEdge, threads}, next, is_done);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     CliffSearch& search = searches[numbers[i]];
     const std::array found = {sheets[2 * i].last, sheets[2 * i + 1].last};

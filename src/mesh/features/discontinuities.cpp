@@ -72,28 +72,6 @@ void append_between(std::size_t line, const Line& part, bool is_first_known, boo
   }
 }
 
-/// The parts of lines that bounds do not prove to be continuous, beside the discontinuities found
-/// so far. A line with a pole has none: all of it is cut away.
-std::vector<LinePart> unproved_parts(const Surface& surface, std::span<const Line> lines,
-                                     std::span<const LocatedDiscontinuity> found,
-                                     const JumpsOfLines& jumps, double delta, unsigned threads,
-                                     std::size_t& work) {
-  std::vector<LinePart> parts;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    if (found[k].kind == Discontinuity::Pole) continue;
-    dvec2 from = lines[k][0];
-    bool is_known = false;
-    for (const Line& jump : jumps[k]) {
-      append_between(k, {from, jump[0]}, is_known, true, parts);
-      from = jump[1];
-      is_known = true;
-    }
-    append_between(k, {from, lines[k][1]}, is_known, false, parts);
-  }
-  parts = unproved(surface, std::move(parts), delta, work, kHalvingsToSame);
-  return narrowed(surface, lines, parts, delta, threads, work);
-}
-
 /// A way from a jump of a line to the next known one, or to an end of the line.
 struct WayFromJump {
   std::size_t line;
@@ -178,8 +156,7 @@ class LineSearch {
 
   std::vector<LocatedDiscontinuity> run() {
     follow_steps();
-    const std::vector<LinePart> open =
-        unproved_parts(surface_, lines_, found_, jumps_, delta_, threads_, work_);
+    const std::vector<LinePart> open = unproved_parts();
     look(open);
     note_complete(open);
     add_all();
@@ -205,6 +182,25 @@ class LineSearch {
         if (more_[i].kind == Discontinuity::Jump) add_jump(parts_[i].line, more_[i].ends, ways);
       }
     }
+  }
+
+  /// The parts of lines that bounds do not prove to be continuous, beside the discontinuities found
+  /// so far. A line with a pole has none: all of it is cut away.
+  std::vector<LinePart> unproved_parts() {
+    std::vector<LinePart> parts;
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      if (found_[k].kind == Discontinuity::Pole) continue;
+      dvec2 from = lines_[k][0];
+      bool is_known = false;
+      for (const Line& jump : jumps_[k]) {
+        append_between(k, {from, jump[0]}, is_known, true, parts);
+        from = jump[1];
+        is_known = true;
+      }
+      append_between(k, {from, lines_[k][1]}, is_known, false, parts);
+    }
+    parts = unproved(surface_, std::move(parts), delta_, work_, kHalvingsToSame);
+    return narrowed(surface_, lines_, parts, delta_, threads_, work_);
   }
 
   /// Looks at parts of lines.

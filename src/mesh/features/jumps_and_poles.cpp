@@ -27,7 +27,7 @@ std::vector<LocatedDiscontinuity> follow_positions(const Surface& surface,
     gaps.push_back(bracket_of(lines[k], whole[k], ends[2 * k], ends[2 * k + 1]));
   }
   work += uv.size();
-  return bisect_positions(surface, gaps, delta, Prefer::Largest, kAllHalvings, threads, work);
+  return bisect_positions(surface, gaps, {delta}, threads, work);
 }
 
 /// Whether values between the ends of a gap exceed the largest double. The ends are then moved to

@@ -9,9 +9,8 @@ namespace saddle {
 namespace {
 
 std::vector<std::optional<SheetEnd>> ends_before_gaps(const Surface& surface,
-                                                      std::span<const Line> lines, double delta,
-                                                      int halvings,
-                                                      const std::optional<Bounds>& box,
+                                                      std::span<const Line> lines,
+                                                      const SheetEndSearch& search,
                                                       unsigned threads, std::size_t& work) {
   std::vector<dvec2> uv;
   for (const Line& line : lines) uv.insert(uv.end(), line.begin(), line.end());
@@ -21,13 +20,13 @@ std::vector<std::optional<SheetEnd>> ends_before_gaps(const Surface& surface,
   std::vector<Line> ways;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const dvec3& last = points[2 * k + 1].position;
-    if (is_seen(box, last)) continue;
+    if (is_seen(search.box, last)) continue;
     leaving.push_back(k);
     ways.push_back(lines[k]);
   }
-  const std::vector<dvec2> last = last_defined(surface, ways, halvings, threads, box);
+  const std::vector<dvec2> last = last_defined(surface, ways, search.halvings, threads, search.box);
   const std::vector<SurfacePoint> at_last = evaluate(surface, last, threads);
-  work += (static_cast<std::size_t>(halvings) + 1) * ways.size();
+  work += (static_cast<std::size_t>(search.halvings) + 1) * ways.size();
   std::vector<std::optional<SheetEnd>> ends;
   for (const Line& line : lines) ends.emplace_back(SheetEnd{line[1], SheetEnd::Kind::Open});
   for (std::size_t i = 0; i < leaving.size(); ++i) {
@@ -39,7 +38,8 @@ std::vector<std::optional<SheetEnd>> ends_before_gaps(const Surface& surface,
     const Line defined = {lines[k][0], ends[k]->uv};
     gaps.push_back(bracket_of(defined, defined, points[2 * k], points[2 * k + 1]));
   }
-  auto jumps = bisect_positions(surface, gaps, delta, Prefer::First, halvings, threads, work);
+  auto jumps = bisect_positions(surface, gaps, {search.delta, Prefer::First, search.halvings},
+                                threads, work);
   // The first gap may be that of a smooth part which is steeper than its slopes say.
   std::vector<std::size_t> passed;
   std::vector<Bracket> again;
@@ -48,8 +48,8 @@ std::vector<std::optional<SheetEnd>> ends_before_gaps(const Surface& surface,
     passed.push_back(k);
     again.push_back(gaps[k]);
   }
-  const auto largest =
-      bisect_positions(surface, again, delta, Prefer::Largest, halvings, threads, work);
+  const auto largest = bisect_positions(
+      surface, again, {search.delta, Prefer::Largest, search.halvings}, threads, work);
   for (std::size_t i = 0; i < passed.size(); ++i) jumps[passed[i]] = largest[i];
   for (std::size_t k = 0; k < lines.size(); ++k) {
     if (jumps[k].kind == Discontinuity::Pole) ends[k].reset();
@@ -61,12 +61,11 @@ std::vector<std::optional<SheetEnd>> ends_before_gaps(const Surface& surface,
 }  // namespace
 
 std::vector<std::optional<SheetEnd>> sheet_ends(const Surface& surface, std::span<const Line> lines,
-                                                double delta, int halvings,
-                                                const std::optional<Bounds>& box, unsigned threads,
+                                                const SheetEndSearch& search, unsigned threads,
                                                 std::size_t& work) {
   std::vector<Line> ways_to_gaps(lines.begin(), lines.end());
-  end_in_gaps(surface, ways_to_gaps, threads, box, work);
-  return ends_before_gaps(surface, ways_to_gaps, delta, halvings, box, threads, work);
+  end_in_gaps(surface, ways_to_gaps, threads, search.box, work);
+  return ends_before_gaps(surface, ways_to_gaps, search, threads, work);
 }
 
 }  // namespace saddle

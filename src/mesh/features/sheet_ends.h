@@ -24,12 +24,17 @@ struct SheetEnd {
   Kind kind = Kind::Open;
 };
 
-/// Bisects lines that start on a sheet, and within `box`, by so many halvings. A gap of less than
-/// `delta` is no jump. A line that leads to a pole has no end. Adds to `work` the number of points
-/// evaluated.
+/// How the ends of sheets are searched.
+struct SheetEndSearch {
+  double delta;  ///< a smaller gap is no jump
+  int halvings;  ///< of a line
+  const std::optional<Bounds>& box;
+};
+
+/// Bisects lines that start on a sheet, and within the box. A line that leads to a pole has no end.
+/// Adds to `work` the number of points evaluated.
 std::vector<std::optional<SheetEnd>> sheet_ends(const Surface& surface, std::span<const Line> lines,
-                                                double delta, int halvings,
-                                                const std::optional<Bounds>& box, unsigned threads,
+                                                const SheetEndSearch& search, unsigned threads,
                                                 std::size_t& work);
 
 }  // namespace saddle

@@ -79,9 +79,10 @@ std::vector<dvec2> leave_box(std::span<const PoleWay> ways, const TraceOptions& 
     return is_last;
   };
   bisect_together(
-      tree.surface(), out, open, kHalvingsToLeast, options.threads,
+      tree.surface(), out, open, {kHalvingsToLeast, options.threads},
       [](const WayOut& way) { return middle_of(way.line); }, is_done);
   std::vector<dvec2> places;
+  places.reserve(out.size());
   for (const WayOut& way : out) places.push_back(way.line[0]);
   const auto at_faces = evaluate(tree.surface(), places, options.threads);
   for (std::size_t k = 0; k < ways.size(); ++k) {

@@ -107,23 +107,30 @@ class ErrorSearch {
   std::vector<const Triangle*> on_mesh_;
 };
 
-/// The largest error by a search against the whole mesh, scaled. `suspects`: leaves that validation
-/// found to be off; each error is replaced only after its places were measured. `others`: leaves
-/// whose samples may miss a feature that sticks out. `tolerance`: of the report. `whole` is called
-/// only if there is anything to measure. `share`: of searches, as of one of many surfaces.
+/// A search for the largest error against the whole mesh.
+struct WholeMeshSearch {
+  double tolerance;  ///< of the report
+  const std::optional<Bounds>& clip;
+  double share;  ///< of searches, as of one of many surfaces
+  unsigned threads;
+  std::function<const WholeMeshError&()> whole;  ///< called only if there is anything to measure
+};
+
+/// The largest error, scaled. `suspects`: leaves that validation found to be off; each error is
+/// replaced only after its places were measured. `others`: leaves whose samples may miss a feature
+/// that sticks out.
 PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspects,
-                          std::span<const SearchedPart> others, double tolerance,
-                          const std::optional<Bounds>& clip, double share, unsigned threads,
-                          KnownHulls& hulls, const std::function<const WholeMeshError&()>& whole) {
-  const auto distance = [&whole](const SearchedPart& part, const dvec2& uv, const dvec3& position,
-                                 double known) {
-    return whole().distance({uv, part.triangles, known}, position);
+                          std::span<const SearchedPart> others, KnownHulls& hulls,
+                          const WholeMeshSearch& how) {
+  const auto distance = [&how](const SearchedPart& part, const dvec2& uv, const dvec3& position,
+                               double known) {
+    return how.whole().distance({uv, part.triangles, known}, position);
   };
-  FeatureSearch features(surface, hulls, distance, tolerance, clip, threads);
+  FeatureSearch features(surface, hulls, distance, how.tolerance, how.clip, how.threads);
   std::vector<SearchedPart> parts(others.begin(), others.end());
   // Features that do not stick out are looked for in a mesh that is off anyway.
-  const auto shared = [share](std::size_t most) {
-    return static_cast<std::size_t>(std::ceil(share * static_cast<double>(most)));
+  const auto shared = [&how](std::size_t most) {
+    return static_cast<std::size_t>(std::ceil(how.share * static_cast<double>(most)));
   };
   features.keep_widest(shared(kMostOpen), suspects.empty() ? 0 : shared(kMostFollowed), parts);
   if (suspects.empty() && parts.empty()) return {};
@@ -133,7 +140,7 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   // Without time or points the worst suspects are measured, and the others left.
   if (surface.may_go_on()) features.dive(parts);
   const PlacedError followed = features.search(surface.may_go_on() ? shared(kMostBoxes) : 0);
-  ErrorSearch search(box_of(surface.domain), tolerance, whole(), followed);
+  ErrorSearch search(box_of(surface.domain), how.tolerance, how.whole(), followed);
   const std::size_t at_once = surface.may_go_on() ? kInBatch : kMostFollowed;
   for (std::size_t next = 0;
        next < suspects.size() && suspects[next].error > search.worst().distance; next += at_once) {
@@ -292,9 +299,9 @@ class ErrorReporter {
                       tree_.edges().has_cliffs());
       return *whole;
     };
-    return largest_error(surface, suspected, others, tolerance_, request.clip,
-                         share_of_searches(request.least_effort), request.threads, mesher_.hulls(),
-                         measured);
+    return largest_error(surface, suspected, others, mesher_.hulls(),
+                         {tolerance_, request.clip, share_of_searches(request.least_effort),
+                          request.threads, measured});
   }
 
   SearchedPart searched(std::size_t k, const LeafTriangles& triangles) const {

@@ -122,8 +122,8 @@ class Solver {
       lines.push_back({to_parameters(leaves[k], rays[k][0]), to_parameters(leaves[k], rays[k][1])});
     }
     std::size_t work = 0;
-    const auto ends =
-        sheet_ends(tree_.surface(), lines, delta_, bisections, limits_.clip, limits_.threads, work);
+    const auto ends = sheet_ends(tree_.surface(), lines, {delta_, bisections, limits_.clip},
+                                 limits_.threads, work);
     tree_.effort().add_places(work);
     std::vector<std::optional<EdgePlace>> edges(rays.size());
     for (std::size_t k = 0; k < rays.size(); ++k) {

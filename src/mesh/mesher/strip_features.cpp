@@ -108,6 +108,44 @@ void set_normals_of_segments(std::span<const std::uint32_t> segments,
   }
 }
 
+/// Sides with known jumps, some of those that were asked for.
+struct Candidates {
+  std::vector<std::size_t> numbers = {};
+  std::vector<Line> lines = {};
+  std::vector<LocatedDiscontinuity> known = {};
+};
+
+bool are_all_known(const LocatedDiscontinuity& found) {
+  return !found.jumps.empty();
+}
+
+/// Sides from `next` on, which goes to the first that is left.
+Candidates next_candidates(std::span<const Side> sides, std::span<const LocatedDiscontinuity> found,
+                           const CellTree& tree, std::size_t& next) {
+  const bool has_many = !tree.edges().may_have_few_jumps();
+  Candidates some;
+  for (; next < sides.size() && some.numbers.size() < kSearchedTogether; ++next) {
+    if (found[next].kind != Discontinuity::Jump || !found[next].between) continue;
+    const Line line = {tree.mesh().uv[sides[next][0]], tree.mesh().uv[sides[next][1]]};
+    if (!are_all_known(found[next]) && has_many && is_wide(found[next], line)) continue;
+    some.numbers.push_back(next);
+    some.lines.push_back(line);
+    some.known.push_back(found[next]);
+  }
+  return some;
+}
+
+/// Whether the jumps of a candidate become one feature. Where sides have many jumps, those that are
+/// not close are parted by halving.
+bool are_one_feature(const Candidates& candidates, std::size_t i, std::span<const Line> jumps,
+                     bool has_many) {
+  if (jumps.size() < 2) return false;
+  const double width = glm::distance(jumps.front()[0], jumps.back()[1]);
+  const Line& line = candidates.lines[i];
+  const bool is_close = width <= kClose * glm::distance(line[0], line[1]);
+  return are_all_known(candidates.known[i]) || !has_many || is_close;
+}
+
 }  // namespace
 
 std::vector<bool> add_strips(std::span<const Side> sides,
@@ -115,39 +153,24 @@ std::vector<bool> add_strips(std::span<const Side> sides,
                              const TraceOptions& options, CellTree& tree) {
   std::vector<bool> is_done(sides.size(), false);
   for (std::size_t next = 0; next < sides.size();) {
-    // Where sides have many jumps, those that are not close are parted by halving.
     const bool has_many = !tree.edges().may_have_few_jumps();
-    std::vector<std::size_t> numbers;
-    std::vector<Line> with_more;
-    std::vector<LocatedDiscontinuity> known;
-    for (; next < sides.size() && numbers.size() < kSearchedTogether; ++next) {
-      if (found[next].kind != Discontinuity::Jump || !found[next].between) continue;
-      const Line line = {tree.mesh().uv[sides[next][0]], tree.mesh().uv[sides[next][1]]};
-      const bool are_all_known = !found[next].jumps.empty();
-      if (!are_all_known && has_many && is_wide(found[next], line)) continue;
-      numbers.push_back(next);
-      with_more.push_back(line);
-      known.push_back(found[next]);
-    }
-    const auto jumps = find_all_jumps(tree.surface(), with_more, known, delta, options.threads,
-                                      tree.effort().looks());
+    const Candidates some = next_candidates(sides, found, tree, next);
+    const auto jumps = find_all_jumps(tree.surface(), some.lines, some.known, delta,
+                                      options.threads, tree.effort().looks());
     std::vector<Side> few;
     std::vector<std::vector<Line>> jumps_of;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (jumps[i].size() < 2) continue;
-      const double width = glm::distance(jumps[i].front()[0], jumps[i].back()[1]);
-      const bool is_close = width <= kClose * glm::distance(with_more[i][0], with_more[i][1]);
-      const bool are_all_known = !known[i].jumps.empty();
-      if (!are_all_known && has_many && !is_close) continue;
-      is_done[numbers[i]] = true;
-      few.push_back(sides[numbers[i]]);
+    for (std::size_t i = 0; i < some.numbers.size(); ++i) {
+      if (!are_one_feature(some, i, jumps[i], has_many)) continue;
+      is_done[some.numbers[i]] = true;
+      few.push_back(sides[some.numbers[i]]);
       jumps_of.push_back(jumps[i]);
     }
-    tree.edges().count_few_jumps(numbers.size(), few.size());
+    tree.edges().count_few_jumps(some.numbers.size(), few.size());
     if (!few.empty()) add_several_jumps(few, jumps_of, options, tree);
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (is_done[numbers[i]] && known[i].is_proved)
-        tree.edges().set_proved(sides[numbers[i]][0], sides[numbers[i]][1]);
+    for (std::size_t i = 0; i < some.numbers.size(); ++i) {
+      const Side& side = sides[some.numbers[i]];
+      if (is_done[some.numbers[i]] && some.known[i].is_proved)
+        tree.edges().set_proved(side[0], side[1]);
     }
   }
   return is_done;

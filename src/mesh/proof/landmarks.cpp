@@ -246,6 +246,7 @@ class LandmarkSearch {
     if (steps.empty()) return;
     for (int k = 0; k < kHalvingsToNearly; ++k) {
       std::vector<dvec2> middles;
+      middles.reserve(steps.size());
       for (const Step& step : steps) middles.push_back(0.5 * (step.line[0] + step.line[1]));
       const std::vector<SurfacePoint> found = evaluate(surface_, middles, threads_);
       for (std::size_t i = 0; i < steps.size(); ++i) {

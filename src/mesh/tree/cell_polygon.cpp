@@ -132,7 +132,8 @@ class Cutter {
   /// Joins the first crossing of a cliff with the last, if they are one around a corner.
   void join_first_cliff() {
     if (cliffs_.size() < 3 || creases_.front().place != creases_.back().place) return;
-    std::ranges::rotate(creases_, creases_.end() - static_cast<std::ptrdiff_t>(cliffs_.back()));
+    std::rotate(creases_.begin(), creases_.end() - static_cast<std::ptrdiff_t>(cliffs_.back()),
+                creases_.end());
     cliffs_.front() += cliffs_.back();
     cliffs_.pop_back();
   }
@@ -149,47 +150,57 @@ class Cutter {
 
   /// Appends vertex k, and the feature between it and the next.
   void go_on(std::size_t k) {
+    append_vertex(whole_[k]);
     const std::uint32_t a = whole_[k].corner;
     const std::uint32_t b = whole_[(k + 1) % whole_.size()].corner;
-    if (tree_.geometry().is_defined(a)) {
-      runs_.back().polygon.push_back(whole_[k]);
-      if (tree_.thin().contains(a)) runs_.back().is_thin = true;
+    const auto feature = tree_.edges().feature(a, b);
+    if (!feature) return;
+    append_beside(*feature, a);
+    count(*feature, a);
+    cut();
+    append_beside(*feature, b);
+  }
+
+  void append_vertex(const PolygonCorner& at) {
+    const std::uint32_t vertex = at.corner;
+    if (tree_.geometry().is_defined(vertex)) {
+      runs_.back().polygon.push_back(at);
+      if (tree_.thin().contains(vertex)) runs_.back().is_thin = true;
     } else {
       cut();
       ++boundaries_;
-      if (tree_.thin().contains(a)) ++thin_gaps_;
-      if (tree_.geometry().singularity(a) == PointSingularity::Kind::Line) ++lines_;
-    }
-    const std::optional<EdgeFeature> feature = tree_.edges().feature(a, b);
-    if (!feature) return;
-    const bool far = leaves_out(feature->kind);
-    if (tree_.geometry().is_defined(a)) {
-      runs_.back().goes_far = runs_.back().goes_far || far;
-      if (!far) append(feature->beside(a));
-    }
-    if (feature->is_boundary()) ++boundaries_;
-    if (feature->kind == FeatureKind::Face && tree_.geometry().is_defined(a)) ++faces_;
-    if (feature->kind == FeatureKind::Crease)
-      creases_.push_back({feature->beside(a), place(*feature)});
-    if (feature->kind == FeatureKind::Cliff) {
-      // One crossing may go through a corner of the leaf.
-      const PolygonCorner first = corner(feature->on_strip(0, a)[0]);
-      if (cliffs_.empty() || creases_.back().place != first.place) cliffs_.push_back(0);
-      cliffs_.back() += 2U * feature->strips;
-      for (std::size_t k = 0; k < feature->strips; ++k) {
-        for (const std::uint32_t vertex : feature->on_strip(k, a))
-          creases_.push_back(corner(vertex));
-      }
-    }
-    cut();
-    if (tree_.geometry().is_defined(b)) {
-      runs_.back().goes_far = far;
-      if (!far) append(feature->beside(b));
+      if (tree_.thin().contains(vertex)) ++thin_gaps_;
+      if (tree_.geometry().singularity(vertex) == PointSingularity::Kind::Line) ++lines_;
     }
   }
 
-  dvec2 place(const EdgeFeature& feature) const {
-    return tree_.vertices().place_between(feature.beside_first);
+  /// Appends a feature's own vertex on the side of one of its ends.
+  void append_beside(const EdgeFeature& feature, std::uint32_t end) {
+    if (!tree_.geometry().is_defined(end)) return;
+    const bool far = leaves_out(feature.kind);
+    runs_.back().goes_far = runs_.back().goes_far || far;
+    if (!far) append(feature.beside(end));
+  }
+
+  /// `from`: the end of the feature's side that comes first.
+  void count(const EdgeFeature& feature, std::uint32_t from) {
+    if (feature.is_boundary()) ++boundaries_;
+    if (feature.kind == FeatureKind::Face && tree_.geometry().is_defined(from)) ++faces_;
+    if (feature.kind == FeatureKind::Crease)
+      creases_.push_back(
+          {feature.beside(from), tree_.vertices().place_between(feature.beside_first)});
+    if (feature.kind == FeatureKind::Cliff) append_cliff(feature, from);
+  }
+
+  void append_cliff(const EdgeFeature& feature, std::uint32_t from) {
+    // One crossing may go through a corner of the leaf.
+    const PolygonCorner first = corner(feature.on_strip(0, from)[0]);
+    if (cliffs_.empty() || creases_.back().place != first.place) cliffs_.push_back(0);
+    cliffs_.back() += std::size_t{2} * feature.strips;
+    for (std::size_t k = 0; k < feature.strips; ++k) {
+      for (const std::uint32_t vertex : feature.on_strip(k, from))
+        creases_.push_back(corner(vertex));
+    }
   }
 
   /// The cell polygon is closed: its first run continues its last.

@@ -218,17 +218,10 @@ std::vector<Polygon> strips_between(std::span<const PolygonCorner> a,
     const bool are_alike = a.size() == b.size();
     const bool takes_a = i < a.size() && (are_alike || next_a <= next_b);
     const bool takes_b = j > 0 && (are_alike || next_b <= next_a);
-    Polygon strip;
-    if (takes_a) {
-      strip = {a[i], a[i + 1]};
-    } else {
-      strip = {i < a.size() ? a[i] : a.back()};
-    }
-    if (takes_b) {
-      strip.insert(strip.end(), {b[j - 2], b[j - 1]});
-    } else {
-      strip.push_back(j > 0 ? b[j - 1] : b.front());
-    }
+    Polygon strip = {a[std::min(i, a.size() - 1)]};
+    if (takes_a) strip.push_back(a[i + 1]);
+    if (takes_b) strip.push_back(b[j - 2]);
+    strip.push_back(b[std::max(j, std::size_t{1}) - 1]);
     strips.push_back(std::move(strip));
     if (takes_a) i += 2;
     if (takes_b) j -= 2;

@@ -42,6 +42,17 @@ struct EglFunctions {
   }
 };
 
+/// Ends a display and its context, which would outlive it while it is a thread's current one.
+struct EndOfDisplay {
+  decltype(&eglMakeCurrent) make_current;
+  decltype(&eglTerminate) terminate;
+
+  void operator()(EGLDisplay display) const {
+    make_current(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    terminate(display);
+  }
+};
+
 [[noreturn]] void fail(const std::string& what) {
   throw Error(
       Status::Machine, what, {},
@@ -51,7 +62,8 @@ struct EglFunctions {
 class EglContext final : public Context {
  public:
   EglContext()
-      : display_(open_display(functions_), functions_.terminate), context_(create_context()) {
+      : display_(open_display(functions_), {functions_.make_current, functions_.terminate}),
+        context_(create_context()) {
     enter();
     if (gladLoadGL(functions_.get_proc_address) < GLAD_MAKE_VERSION(3, 3)) {
       fail("EGL's OpenGL is older than 3.3");
@@ -108,8 +120,7 @@ class EglContext final : public Context {
   }
 
   EglFunctions functions_;
-  // Its end is that of the context too.
-  std::unique_ptr<void, decltype(&eglTerminate)> display_;
+  std::unique_ptr<void, EndOfDisplay> display_;
   EGLContext context_;
 };
 

@@ -135,6 +135,7 @@ std::string& formula_of(SurfaceSpec& spec, const std::string& name) {
 }
 
 void define(Scene& scene, const Definition& definition) {
+  check_names(definition);
   const auto found = std::ranges::find(scene.definitions, definition.name, &Definition::name);
   if (found == scene.definitions.end()) {
     scene.definitions.push_back(definition);

@@ -34,7 +34,7 @@ std::string fault_of_parameter(const std::string& name);
 /// into its time, anything else into its definitions; a name that is there already is replaced. The
 /// text splits at its first `=`, a range at its first
 /// `:` outside of brackets that no `?` owns. Throws Error (Input): no `=`, an invalid name, `u=`
-/// without a `:`, an empty expression.
+/// without a `:`, an empty expression; what check_names() refuses.
 void assign(Scene& scene, const std::string& assignment);
 
 /// Puts all of them into `scene`, whose (last) surface takes the names of its parameters from the

@@ -114,13 +114,15 @@ bool show_row(Desk& desk, const LightRow& row, const Light& light) {
     edit_light(desk, row, "", [&](Light& l) { l.enabled = is_on ? 0 : 1; });
   }
   ImGui::SameLine();
-  const bool is_open = fold_row(formatted("light %zu", row.index + 1), 2);
-  if (icon_button(Icon::Copy, "a copy of it")) {
-    desk.edit("", [&](Scene& scene) { scene.lights.push_back(light); });
-    return false;
+  const auto [is_open, icons] = fold_row(formatted("light %zu", row.index + 1), 2);
+  if (icons > 1) {
+    if (icon_button(Icon::Copy, "a copy of it")) {
+      desk.edit("", [&](Scene& scene) { scene.lights.push_back(light); });
+      return false;
+    }
+    ImGui::SameLine();
   }
-  ImGui::SameLine();
-  if (icon_button(Icon::Delete, "delete it (Ctrl-Z brings it back)")) {
+  if (icons > 0 && icon_button(Icon::Delete, "delete it (Ctrl-Z brings it back)")) {
     desk.edit("", [&](Scene& scene) {
       scene.lights.erase(scene.lights.begin() + static_cast<std::ptrdiff_t>(row.index));
     });

@@ -113,8 +113,9 @@ void show_node(Desk& desk, std::size_t index) {
 
 /// Its name and a button; true if it is unfolded and still there.
 bool show_node_row(const Desk& desk, std::size_t index) {
-  const bool is_open = fold_row(desk.scene().nodes[index].name, 1);
-  if (icon_button(Icon::Delete, "delete it: what is in it goes to the node around it")) {
+  const auto [is_open, icons] = fold_row(desk.scene().nodes[index].name, 1);
+  constexpr const char* kTip = "delete it: what is in it goes to the node around it";
+  if (icons > 0 && icon_button(Icon::Delete, kTip)) {
     desk.edit("", [&](Scene& scene) { delete_node(scene, index); });
     return false;
   }

@@ -33,26 +33,29 @@ struct Points {
   static auto& color(auto& point) { return point.color; }
 };
 
-/// Buttons at the right end of a row: above the one before, once more, gone.
+/// Buttons at the right end of a row, the last so many of these: above the one before, once more,
+/// gone. True if the object is still there.
 template <typename Kind>
-bool show_row_buttons(Desk& desk, std::size_t i, const std::string& name) {
-  if (i > 0) {
+bool show_row_buttons(Desk& desk, std::size_t i, const std::string& name, int count) {
+  if (count > 2) {
     if (icon_button(Icon::Up, "one place up")) {
       desk.edit("", [&](Scene& scene) { std::swap(Kind::in(scene)[i - 1], Kind::in(scene)[i]); });
       return false;
     }
     ImGui::SameLine();
   }
-  if (icon_button(Icon::Copy, "a copy of it")) {
-    desk.edit("", [&](Scene& scene) {
-      auto copy = Kind::in(scene)[i];
-      copy.name = free_name(scene, name);
-      Kind::in(scene).push_back(std::move(copy));
-    });
-    return false;
+  if (count > 1) {
+    if (icon_button(Icon::Copy, "a copy of it")) {
+      desk.edit("", [&](Scene& scene) {
+        auto copy = Kind::in(scene)[i];
+        copy.name = free_name(scene, name);
+        Kind::in(scene).push_back(std::move(copy));
+      });
+      return false;
+    }
+    ImGui::SameLine();
   }
-  ImGui::SameLine();
-  if (icon_button(Icon::Delete, "delete it (Ctrl-Z brings it back)")) {
+  if (count > 0 && icon_button(Icon::Delete, "delete it (Ctrl-Z brings it back)")) {
     desk.edit("", [&](Scene& scene) {
       Kind::in(scene).erase(Kind::in(scene).begin() + static_cast<std::ptrdiff_t>(i));
     });
@@ -75,9 +78,8 @@ bool show_row(Desk& desk, std::size_t i) {
   }
   ImGui::SameLine();
   constexpr std::size_t kFewObjects = 2;
-  const int icons = i > 0 ? 3 : 2;
-  const bool is_open = fold_row(name, icons, Kind::in(desk.scene()).size() <= kFewObjects);
-  return show_row_buttons<Kind>(desk, i, name) && is_open;
+  const FoldRow row = fold_row(name, i > 0 ? 3 : 2, Kind::in(desk.scene()).size() <= kFewObjects);
+  return show_row_buttons<Kind>(desk, i, name, row.icons) && row.is_open;
 }
 
 /// All rows of a kind, each with what `show` shows below it.

@@ -251,18 +251,25 @@ void show_name(const std::string& name) {
   if (seen != name) show_tip(name);
 }
 
-bool fold_row(const std::string& name, int icons, bool is_open_at_first) {
-  const float end = ImGui::GetWindowContentRegionMax().x - icons_width(icons);
-  const float room = end - ImGui::GetCursorPosX() - ImGui::GetTreeNodeToLabelSpacing();
-  const std::string seen = shortened(name, room);
+FoldRow fold_row(const std::string& name, int wanted_icons, bool is_open_at_first) {
+  constexpr float kShortest = 2;  // of a name that is shortened, in heights of letters
+  const float least =
+      std::min(ImGui::CalcTextSize(name.c_str()).x, kShortest * ImGui::GetFontSize());
+  const float begin = ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing();
+  const auto end = [](int icons) {
+    return ImGui::GetWindowContentRegionMax().x - icons_width(icons);
+  };
+  int icons = wanted_icons;
+  while (icons > 0 && end(icons) - begin < least) --icons;
+  const std::string seen = shortened(name, end(icons) - begin);
   ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_NoTreePushOnOpen |
                              ImGuiTreeNodeFlags_AllowItemOverlap |
                              ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_FramePadding;
   if (is_open_at_first) flags |= ImGuiTreeNodeFlags_DefaultOpen;
   const bool is_open = ImGui::TreeNodeEx("##row", flags, "%s", seen.c_str());
   if (seen != name) show_tip(name);
-  ImGui::SameLine(end);
-  return is_open;
+  if (icons > 0) ImGui::SameLine(end(icons));
+  return {is_open, icons};
 }
 
 void show_error(const Error& error, const std::string& owner) {

@@ -44,9 +44,14 @@ float icons_width(int count);
 /// The name of what follows in its line: a long one is shortened, and its tip has all of it.
 void show_name(const std::string& name);
 
-/// A row that is folded by its name; true if it is unfolded. So many icons, which the caller adds,
-/// have room behind it.
-bool fold_row(const std::string& name, int icons, bool is_open_at_first = false);
+/// A row that is folded by its name, and how many icons have room behind the beginning of that.
+struct FoldRow {
+  bool is_open = false;
+  int icons = 0;
+};
+
+/// The caller adds the icons: at most as many as are wanted.
+FoldRow fold_row(const std::string& name, int wanted_icons, bool is_open_at_first = false);
 
 /// The wrong part of the error's text, the message and the hint. `owner`: the object that it is
 /// about, where there are several.

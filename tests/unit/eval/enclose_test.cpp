@@ -201,5 +201,12 @@ TEST(Enclosure, ByTheMeanValueIsNarrowerWhereAVariableOccursOften) {
             1);
 }
 
+TEST(Enclosure, ByTheMeanValueTakesEachSlopeTimesItsOwnOffset) {
+  const Interval from_u = mean_value({-99, 99}, {1, 1}, {2, 2}, {-0.25, 0.5}, {0, 0}, {0, 0});
+  expect_exact(from_u, 0.5, 2);
+  const Interval from_v = mean_value({-99, 99}, {1, 1}, {0, 0}, {0, 0}, {2, 2}, {-0.25, 0.5});
+  expect_exact(from_v, 0.5, 2);
+}
+
 }  // namespace
 }  // namespace saddle

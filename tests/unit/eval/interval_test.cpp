@@ -73,7 +73,63 @@ TEST(Interval, UnderflowKeepsTheSign) {
   expect_exact(sin(Interval{0, 0}), 0, 0);
 }
 
+/// Ends of boxes whose products and quotients underflow, and ends whose do not.
+constexpr std::array<double, 7> kSmallAndLarge = {-1, -1e-200, 0, 1e-200, 1, 1e200, -1e200};
+
+/// Calls `check` with all boxes that have such ends.
+template <class Check>
+void for_boxes(const Check& check) {
+  for (const double low : kSmallAndLarge) {
+    for (const double high : kSmallAndLarge) {
+      if (low <= high) check(Interval{low, high});
+    }
+  }
+}
+
+TEST(Interval, ProductsAreOnTheSideOfZeroWhereTheirSignsPutThem) {
+  for_boxes([](const Interval& a) {
+    for_boxes([&](const Interval& b) {
+      const Interval r = a * b;
+      const bool any_negative = (a.low < 0 && b.high > 0) || (a.high > 0 && b.low < 0);
+      const bool any_positive = (a.low < 0 && b.low < 0) || (a.high > 0 && b.high > 0);
+      EXPECT_EQ(r.low < 0, any_negative) << a.low << " " << a.high << " " << b.low << " " << b.high;
+      EXPECT_EQ(r.high > 0, any_positive)
+          << a.low << " " << a.high << " " << b.low << " " << b.high;
+    });
+  });
+}
+
+TEST(Interval, QuotientsAreOnTheSideOfZeroWhereTheirSignsPutThem) {
+  for_boxes([](const Interval& a) {
+    for_boxes([&](const Interval& b) {
+      if (b.low <= 0) return;
+      for (const Interval& r : {a / b, -a / -b}) {
+        EXPECT_EQ(r.low < 0, a.low < 0) << a.low << " " << a.high << " " << b.low << " " << b.high;
+        EXPECT_EQ(r.high > 0, a.high > 0)
+            << a.low << " " << a.high << " " << b.low << " " << b.high;
+      }
+    });
+  });
+}
+
+TEST(Interval, NothingIsLostJustWhereUnderflowBegins) {
+  constexpr double kLeast = 0x1p-960;
+  for (const double sign : {-1.0, 1.0}) {
+    const double end = sign * kLeast;
+    expect_exact(Interval{sign * 0x1p-480, sign * 0x1p-480} * Interval{0x1p-480, 0x1p-480}, end,
+                 end);
+    expect_exact(Interval{end, end} / Interval{1, 1}, end, end);
+  }
+}
+
+TEST(Interval, AProductOfAnEndlessBoxIsAsNearToZero) {
+  constexpr double kLeast = 0x1p-960;
+  expect_exact(Interval{kLeast, kInfinity} * Interval{1, 1}, kLeast, kInfinity);
+  expect_exact(Interval{-kInfinity, -kLeast} * Interval{1, 1}, -kInfinity, -kLeast);
+}
+
 TEST(Interval, ASquareIsNotNegative) {
+  expect_exact(sqr(Interval{0, 0}), 0, 0);
   expect_exact(sqr(Interval{-1, 2}), 0, 4);
   expect_exact(enclosure("u*u", {-1, 2}), 0, 4);
   expect_exact(enclosure("u^2", {-1, 2}), 0, 4);
@@ -100,8 +156,17 @@ TEST(Interval, DivisionIsExactWhereTheQuotientIs) {
   expect_exact(Interval{6, 7.5} / Interval{3, 3}, 2, 2.5);
   expect_exact(mod({6, 6}, {3, 3}), 0, 0);
   expect_proved(mod({6, 6}, {3, 3}));
+  constexpr double kQuotient = 0x1p50 + 1;  // of 51 bits; the product with 3 needs 53 at most
+  expect_exact(Interval{3 * kQuotient, 3 * kQuotient} / Interval{3, 3}, kQuotient, kQuotient);
   const Interval third = Interval{1, 1} / Interval{3, 3};
   EXPECT_LT(third.low, third.high);
+}
+
+TEST(Interval, ZeroDividedIsZeroWhereItIsDefined) {
+  for (const Interval& divisor : {Interval{-1, 1}, Interval{0, 4}, Interval{-4, 0}}) {
+    expect_exact(Interval{0, 0} / divisor, 0, 0);
+    expect_pole(Interval{0, 0} / divisor);
+  }
 }
 
 TEST(Interval, DivisionByZeroIsUndefined) {
@@ -187,11 +252,42 @@ TEST(Interval, TheRemainderHoldsWhatTheQuotientsRoundingMakesOfIt) {
   EXPECT_GT(negative, 0);
 }
 
+TEST(Interval, TheRemainderHoldsWhatUnderflowMakesOfIt) {
+  // -1e-400 is -0 in doubles, whose floor leaves all of a.
+  const double computed = apply(Op::Mod, -1e-200, 1e200);
+  EXPECT_EQ(computed, -1e-200);
+  EXPECT_TRUE(contains(mod({-1e-200, -1e-200}, {1e200, 1e200}), computed));
+  expect_exact(mod({0, 1e-300}, {1, 1}), 0, 1e-300);
+}
+
+TEST(Interval, TheRemainderHasTheSignOfItsDivisor) {
+  const Interval across = mod({5.5, 6.5}, {-1, -1});
+  EXPECT_NEAR(across.low, -1, kFewUlps);
+  EXPECT_NEAR(across.high, 0, kFewUlps);
+}
+
+TEST(Interval, ADifferenceIsNarrowedToWhatTheFunctionsRoundingLeaves) {
+  expect_exact(narrow({0, 2}, {1, 1}, {0, 0}), 1, 1);
+  const Interval r = narrow({-9, 9}, {1, 2}, {-4, 3});
+  const double error = 2 * 100 * rounding::kRoundoff * 4;  // of two values of a hundred steps each
+  EXPECT_LE(r.low, 1 - error);
+  EXPECT_GE(r.low, 1 - 1.01 * error);
+  EXPECT_GE(r.high, 2 + error);
+  EXPECT_LE(r.high, 2 + 1.01 * error);
+}
+
 TEST(Interval, RintHoldsWhatTheRoundingOfTheSumMakesOfIt) {
   const double below_half = std::nextafter(0.5, 0);
   const Interval r = rint({below_half, below_half});
   expect_exact(r, 0, 1);  // 0, but in doubles below_half + 0.5 is 1
   EXPECT_FALSE(r.continuous);
+}
+
+TEST(Interval, TheSizeOfABoxOnOneSideOfZeroIsAsWide) {
+  expect_exact(abs(Interval{0.5, 2}), 0.5, 2);
+  expect_exact(abs(Interval{-2, -0.5}), 0.5, 2);
+  expect_exact(abs(Interval{-0.5, 0.25}), 0, 0.5);
+  expect_exact(abs(Interval{-0.25, 0.5}), 0, 0.5);
 }
 
 TEST(Interval, KinksAreContinuous) {

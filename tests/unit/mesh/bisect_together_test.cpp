@@ -35,7 +35,7 @@ TEST(BisectTogether, NarrowsEachLineToNeighboursAroundItsOwnPlace) {
   std::vector<Cut> cuts;
   for (const double z : {0.001, 0.125, 0.7}) cuts.push_back({{dvec2(0, 0.2), dvec2(1, 0.2)}, z});
   std::vector<std::size_t> open = all_open(cuts.size());
-  bisect_together(surface, cuts, open, kHalvingsToLeast, 1, next, narrow);
+  bisect_together(surface, cuts, open, {kHalvingsToLeast, 1}, next, narrow);
   EXPECT_TRUE(open.empty());
   for (const Cut& cut : cuts) {
     EXPECT_EQ(std::nextafter(cut.line[0].x, 1), cut.line[1].x);
@@ -48,12 +48,12 @@ TEST(BisectTogether, LeavesTheLinesThatHaveRoundsLeftOpen) {
   const Surface surface = height_field("u");
   std::vector<Cut> cuts = {{{dvec2(0), dvec2(1, 0)}, 0.3}, {{dvec2(0), dvec2(0x1p-1074, 0)}, 0}};
   std::vector<std::size_t> open = all_open(cuts.size());
-  bisect_together(surface, cuts, open, 10, 1, next, narrow);
+  bisect_together(surface, cuts, open, {10, 1}, next, narrow);
   EXPECT_EQ(open, std::vector<std::size_t>{0});
   EXPECT_EQ(cuts[0].rounds, 10);
   EXPECT_EQ(cuts[1].rounds, 1);
   EXPECT_EQ(cuts[0].line[1].x - cuts[0].line[0].x, 0x1p-10);
-  bisect_together(surface, cuts, open, 5, 1, next, narrow);
+  bisect_together(surface, cuts, open, {5, 1}, next, narrow);
   EXPECT_EQ(cuts[0].rounds, 15);
   EXPECT_EQ(cuts[1].rounds, 1);
 }

@@ -156,6 +156,14 @@ TEST(Assignments, KeepCoordinatesAndParametersFromBeingFunctions) {
   }
 }
 
+TEST(Assignments, RefuseNamesThatNoSceneCanDefine) {
+  const Error error = assign_error("sin=2");
+  EXPECT_EQ(std::string(error.what()), "'sin' is a function of the language");
+  EXPECT_EQ(error.place().name, "sin");
+  EXPECT_EQ(assign_error("sqrt(s)=s").place().name, "sqrt(s)");
+  EXPECT_EQ(std::string(assign_error("f(s,s)=s").what()), "two arguments are called 's'");
+}
+
 TEST(Assignments, WantAWholeRange) {
   EXPECT_EQ(assign_error("u=3").place().name, "u");
   EXPECT_EQ(marked(assign_error("u=3")), "3");

@@ -1,0 +1,12 @@
+// Whether a sanitizer is compiled in: it has a heap of its own, and takes several times as long.
+#pragma once
+
+namespace saddle {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kIsSanitized = true;
+#else
+inline constexpr bool kIsSanitized = false;
+#endif
+
+}  // namespace saddle
