@@ -1,5 +1,6 @@
 #include "mesh/tree/place_map.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "mesh/grid/grid.h"
@@ -13,8 +14,6 @@ namespace {
 constexpr std::uint32_t kFirstShift = 29;
 /// A table shrinks to half of its slots when less than an eighth of them are taken.
 constexpr std::uint32_t kSparse = 8;
-/// The shift of a table without slots.
-constexpr std::uint32_t kNoSlots = 32;
 
 }  // namespace
 
@@ -54,7 +53,7 @@ std::uint32_t PlaceMap::find_or_insert(DyadicPoint place, std::uint32_t number) 
     if (slots_[slot].key == key) return slots_[slot].number;
   }
   if (2 * ++table.count > size) {
-    resize(table, table.shift == kNoSlots ? kFirstShift : table.shift - 1);
+    resize(table, std::min(table.shift - 1, kFirstShift));
     slot = slot_of(table, key);
   }
   slots_[slot] = {key, number};
@@ -101,7 +100,7 @@ void PlaceMap::resize(Table& table, std::uint32_t shift) {
   const Table old = table;
   table.shift = shift;
   table.begin = take_slots(shift);
-  if (old.shift == kNoSlots) return;
+  if (old.shift == Table().shift) return;  // it had no slots
   for (std::uint32_t k = 0; k < 1U << (32 - old.shift); ++k) {
     const Slot slot = std::exchange(slots_[old.begin + k], {});
     if (slot.key != kEmpty) slots_[slot_of(table, slot.key)] = slot;

@@ -15,13 +15,6 @@
 
 namespace saddle {
 
-namespace {
-
-/// An eighth of all vertices or fewer are few: for these, arrays grow by doubling.
-constexpr std::size_t kFewNew = 8;
-
-}  // namespace
-
 VertexGeometry::VertexGeometry(const Surface& surface, Grid& grid, DyadicVertices& vertices,
                                RevisionClock& revisions, Effort& effort, unsigned threads)
     : surface_(surface),
@@ -78,8 +71,6 @@ void VertexGeometry::add_middles(unsigned threads) {
 void VertexGeometry::resize() {
   const std::size_t count = vertices_.size();
   Mesh& mesh = grid_.mesh;
-  // Arrays that grow by doubling would have room for up to twice as many.
-  if (kFewNew * (count - mesh.position.size()) > count) reserve(count);
   mesh.position.resize(count);
   mesh.normal.resize(count);
   mesh.uv.resize(count);
