@@ -232,6 +232,7 @@ class Run:
         """Whether the tests pass."""
         command = [BUILD / f"test_{program}", "--gtest_fail_fast", "--gtest_filter=" + ":".join(names)]
         with tempfile.TemporaryDirectory(prefix="mutant-") as folder:
+            os.chmod(folder, 0o755)  # some tests act as another user
             process = subprocess.Popen(
                 command, cwd=COPY, env={**os.environ, "TMPDIR": folder, **variables},
                 stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,

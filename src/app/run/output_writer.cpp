@@ -38,6 +38,7 @@ OutputWriter::OutputWriter(std::span<const Output> outputs, const Scene& scene,
 void OutputWriter::put(const std::vector<FileToWrite>& files) {
   if (!holds_back_) return write_all(files);
   std::vector<StagedFile> staged;
+  staged.reserve(files.size());
   for (const FileToWrite& file : files) {
     staged.emplace_back(file.path == "-" ? "/dev/stdout" : file.path, file.write);
   }

@@ -26,7 +26,7 @@ class GlbFile {
   using Write = std::function<void(ByteWriter&)>;
 
   /// All but buffers, views and accessors, which are added.
-  Json json;
+  Json json = Json::object();
 
   /// Adds a piece of so many bytes, which `write` writes later. Returns its bufferView.
   std::size_t add_view(std::size_t bytes, GlbTarget target, Write write);

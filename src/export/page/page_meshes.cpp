@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "export/page/page_triangles.h"
@@ -126,6 +127,16 @@ bool is_near(const dvec3& a, const dvec3& b, double within) {
   return std::hypot(way.x, way.y, way.z) <= within;  // not where the formula is undefined
 }
 
+/// Writes numbers that rise, each by how far it is above the one before.
+void write_rising(Bytes& bytes, std::span<const std::uint32_t> numbers) {
+  bytes.varint(numbers.size());
+  std::uint32_t last = 0;
+  for (const std::uint32_t number : numbers) {
+    bytes.varint(number - last);
+    last = number;
+  }
+}
+
 }  // namespace
 
 PageMesh page_mesh(const Scene& scene, const SurfaceSpec& spec, const Mesh& mesh, double within) {
@@ -170,12 +181,7 @@ PageMesh page_mesh(const Scene& scene, const SurfaceSpec& spec, const Mesh& mesh
     normals.push_back(normal);
   }
   result.fixed = static_cast<double>(known) < kKnownShare * static_cast<double>(exact.size());
-  bytes.varint(baked.size());
-  std::uint32_t last = 0;
-  for (const std::uint32_t corner : baked) {
-    bytes.varint(corner - last);
-    last = corner;
-  }
+  write_rising(bytes, baked);
   write_places(bytes, positions, result.box);
   write_normals(bytes, normals);
 

@@ -16,6 +16,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -196,6 +197,32 @@ TEST_F(WriteFileWhole, KeepsTheOwnerOfAFileThatExists) {
   EXPECT_EQ(info.st_gid, 4321u);
 }
 
+TEST_F(WriteFileWhole, KeepsTheUserAloneAndTheGroupAlone) {
+  if (geteuid() != 0) GTEST_SKIP() << "only the superuser can give files away";
+  for (const auto& [user, group] : {std::pair(1234, 0), std::pair(0, 4321)}) {
+    write_file_whole(folder / "a", writer("old"));
+    ASSERT_EQ(chown((folder / "a").c_str(), user, group), 0);
+    ASSERT_EQ(chmod((folder / "a").c_str(), 0664), 0);
+    write_file_whole(folder / "a", writer("new"));
+    struct stat info {};
+    ASSERT_EQ(stat((folder / "a").c_str(), &info), 0);
+    EXPECT_EQ(info.st_uid, static_cast<uid_t>(user));
+    EXPECT_EQ(info.st_gid, static_cast<gid_t>(group));
+    EXPECT_EQ(mode_of(folder / "a"), 0664U);
+    fs::remove(folder / "a");
+  }
+}
+
+TEST_F(WriteFileWhole, GivesAnotherUsersGroupNoRightsToAFileThatIsOurs) {
+  if (geteuid() != 0) GTEST_SKIP() << "only the superuser can make another user's file";
+  write_file_whole(folder / "a", writer("old"));
+  ASSERT_EQ(chmod((folder / "a").c_str(), 0676), 0);
+  ASSERT_EQ(chmod(folder.c_str(), 0777), 0);
+  as_ordinary_user([&] { write_file_whole(folder / "a", writer("new")); });
+  EXPECT_EQ(content_of(folder / "a"), "new");
+  EXPECT_EQ(mode_of(folder / "a"), 0606U);
+}
+
 TEST_F(WriteFileWhole, DoesNotReplaceAFileThatIsReadOnly) {
   write_file_whole(folder / "a", writer("old"));
   ASSERT_EQ(chmod((folder / "a").c_str(), 0444), 0);
@@ -325,6 +352,18 @@ TEST_F(CheckWritable, RefusesWhatThePermissionsForbid) {
   ASSERT_EQ(chmod(folder.c_str(), 0755), 0);  // so that it can be removed
 }
 
+TEST_F(CheckWritable, RefusesAFileWhoseFolderTakesNoOther) {
+  write_file_whole(folder / "a", writer("x"));
+  ASSERT_EQ(chmod((folder / "a").c_str(), 0666), 0);
+  ASSERT_EQ(chmod(folder.c_str(), 0555), 0);
+  as_ordinary_user([&] {
+    const std::string message = failure([&] { check_writable(folder / "a"); });
+    EXPECT_TRUE(contains(message, "its folder " + folder.string())) << message;
+    EXPECT_NO_THROW(check_writable("/dev/null")) << "it is written, not replaced";
+  });
+  ASSERT_EQ(chmod(folder.c_str(), 0755), 0);
+}
+
 TEST_F(CheckWritable, RefusesADescriptorThatIsClosedOrOnlyRead) {
   const int number = open("/dev/null", O_RDONLY);
   const std::string name = "/dev/fd/" + std::to_string(number);
@@ -360,6 +399,30 @@ TEST_F(WriteFileWhole, NothingIsLeftOfAFileThatIsNotPublished) {
     EXPECT_FALSE(fs::exists(folder / "a"));
   }
   EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST_F(WriteFileWhole, AStagedFileFailsIfItsNameHasBecomeAFolders) {
+  StagedFile file(folder / "a", writer("new"));
+  fs::create_directories(folder / "a/deep");
+  const std::string message = failure([&] { file.publish(); });
+  EXPECT_TRUE(contains(message, "cannot write " + (folder / "a").string())) << message;
+}
+
+TEST_F(WriteFileWhole, AStagedFileGoesToADescriptorWhenItIsPublished) {
+  const int number = open((folder / "f").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  StagedFile file("/dev/fd/" + std::to_string(number), writer(kLargeText));
+  EXPECT_EQ(content_of(folder / "f"), "");
+  file.publish();
+  close(number);
+  EXPECT_TRUE(content_of(folder / "f") == kLargeText);
+}
+
+TEST_F(WriteFileWhole, SeveralFilesAreThereTogether) {
+  const std::vector<FileToWrite> files = {{folder / "a", writer("1")}, {folder / "b", writer("2")}};
+  write_files_whole(files);
+  EXPECT_EQ(content_of(folder / "a"), "1");
+  EXPECT_EQ(content_of(folder / "b"), "2");
+  EXPECT_EQ(names(), (FileNames{"a", "b"}));
 }
 
 TEST_F(WriteFileWhole, NoneOfSeveralFilesIsThereIfOneFails) {

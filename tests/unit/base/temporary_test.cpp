@@ -4,13 +4,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <ostream>
 #include <set>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "base/temporary.h"
 #include "temporary_folder.h"
@@ -78,6 +83,26 @@ TEST_F(KilledRun, LeavesNothingAtAllWhenItIsAskedToEnd) {
     ASSERT_EQ(WTERMSIG(status), signal_number);
     EXPECT_EQ(names(), FileNames{}) << "signal " << signal_number;
   }
+}
+
+TEST_F(KilledRun, LeavesNothingOfSeveralFilesWhenItIsAskedToEnd) {
+  int ready[2];
+  ASSERT_EQ(pipe(ready), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    signal(SIGTERM, SIG_DFL);
+    remove_temporaries_on_signals();
+    write_file_whole(folder / "c", [](std::ostream& out) { out << "whole"; });
+    write_file_whole(folder / "a", [&](std::ostream&) { write_half(folder / "b", ready[1]); });
+  }
+  close(ready[1]);
+  char letter = 0;
+  EXPECT_EQ(read(ready[0], &letter, 1), 1);
+  close(ready[0]);
+  EXPECT_EQ(names().size(), 3U);
+  EXPECT_EQ(kill(child, SIGTERM), 0);
+  wait_for_child(child);
+  EXPECT_EQ(names(), FileNames{"c"});
 }
 
 TEST_F(KilledRun, LeavesTheOldFileWhenItIsAskedToEnd) {
@@ -164,6 +189,52 @@ TEST_F(KilledRun, GoesOnAfterASignalThatItWasStartedToIgnore) {
     }
     EXPECT_EQ(wait_for_child(child), 0);
     EXPECT_EQ(read_file(path), "whole");
+  }
+}
+
+class WithoutAName : public KilledRun {
+ protected:
+  void SetUp() override {
+    if (const char* const before = std::getenv("TMPDIR")) before_ = before;
+    setenv("TMPDIR", folder.c_str(), 1);
+  }
+  void TearDown() override { before_ ? setenv("TMPDIR", before_->c_str(), 1) : unsetenv("TMPDIR"); }
+
+ private:
+  std::optional<std::string> before_;
+};
+
+TEST_F(WithoutAName, AFileIsInNoFolder) {
+  const UnnamedFile file;
+  EXPECT_EQ(names(), FileNames{});
+  ASSERT_EQ(write(file.descriptor(), "text", 4), 4);
+  EXPECT_NO_THROW(file.check_written("the program", [] {}));
+  std::ostringstream copy;
+  file.copy_to(copy);
+  EXPECT_EQ(copy.str(), "text") << "without what the check has tried";
+}
+
+TEST_F(WithoutAName, AFileThatHasNothingIsTold) {
+  const UnnamedFile file;
+  try {
+    file.check_written("the program", [] {});
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "the program failed: it has written nothing");
+  }
+  EXPECT_THROW(file.check_written("x", [] { throw std::runtime_error("late"); }),
+               std::runtime_error);
+}
+
+TEST_F(WithoutAName, AFileNeedsAFolderThatIsNamedAndThere) {
+  setenv("TMPDIR", "", 1);
+  EXPECT_NO_THROW(UnnamedFile());
+  setenv("TMPDIR", (folder / "nowhere").c_str(), 1);
+  try {
+    const UnnamedFile file;
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find((folder / "nowhere").string()), std::string::npos);
   }
 }
 
