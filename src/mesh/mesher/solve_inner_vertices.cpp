@@ -35,6 +35,11 @@ constexpr double kOvershoot = 1e-4;
 /// places hold 0.85 of the turn at a corner, and 0.67 of that of an arc.
 constexpr double kGlanceAtCorner = 0.85;
 
+/// Whether a place, in sides of a leaf from its low corner, is in the leaf.
+bool is_in_leaf(const dvec2& place) {
+  return std::min(place.x, place.y) >= 0 && std::max(place.x, place.y) <= 1;
+}
+
 class Solver {
  public:
   Solver(std::span<const std::size_t> which, const CellLimits& limits, ValidatedMesh& mesh,
@@ -276,7 +281,8 @@ class Solver {
         intersection(nodes[first - 2], nodes[first - 1], nodes[last + 1], nodes[last + 2]);
     const double turn = std::fabs(
         turn_between(nodes[first - 1] - nodes[first - 2], nodes[last + 2] - nodes[last + 1]));
-    const double share = meeting ? share_of(chord, *meeting) : std::nan("");
+    // Arms that are nearly parallel meet far away.
+    const double share = meeting && is_in_leaf(*meeting) ? share_of(chord, *meeting) : std::nan("");
     chord.is_open =
         share > chord.shares[first - 1] && share < chord.shares[last + 1] && turn > kLeastCorner;
     if (!chord.is_open) return;
@@ -291,8 +297,7 @@ class Solver {
   static dvec2 beyond(const dvec2& from, const dvec2& corner) {
     if (glm::distance(from, corner) <= kNearly) return from;
     const dvec2 place = corner + kOvershoot * (corner - from);
-    const bool is_inside = std::min(place.x, place.y) >= 0 && std::max(place.x, place.y) <= 1;
-    return is_inside ? place : border_of_square(from, corner - from);
+    return is_in_leaf(place) ? place : border_of_square(from, corner - from);
   }
 
   /// A place on the ray to a corner of the feature, clearly before the corner.

@@ -10,6 +10,10 @@ namespace saddle {
 
 namespace {
 
+/// Fewer defined samples of nine count as 5: beside a boundary one or two of few may be where a
+/// root is steep. Waves that are undefined in places have about as many.
+constexpr double kFewestDefined = 5;
+
 /// The index of the value that is nearest to a parameter, of values in either order.
 std::size_t nearest(std::span<const double> values, double parameter) {
   const double way = values.front() > values.back() ? -1 : 1;
@@ -47,18 +51,18 @@ glm::bvec2 AliasingForecast::around(const LinearizationErrors& linearization_err
                                     std::size_t column, std::size_t row,
                                     double unresolvable) const {
   dvec2 count(0);
-  double samples = 0;
+  double defined = 0;
   for (std::size_t j = row - std::min<std::size_t>(row, 1); j <= std::min(row + 1, v_.size() - 1);
        ++j) {
     for (std::size_t i = column - std::min<std::size_t>(column, 1);
          i <= std::min(column + 1, u_.size() - 1); ++i) {
       const dvec2& linearization_error = linearization_errors.values[j * u_.size() + i];
-      ++samples;
-      // False for NaN.
+      if (glm::any(glm::isnan(linearization_error))) continue;
+      ++defined;
       count += dvec2(glm::greaterThan(linearization_error, dvec2(unresolvable)));
     }
   }
-  return glm::greaterThan(count, dvec2(kOscillatingShare * samples));
+  return glm::greaterThan(count, dvec2(kOscillatingShare * std::max(defined, kFewestDefined)));
 }
 
 glm::bvec2 AliasingForecast::at(const dvec2& uv) const {

@@ -16,8 +16,7 @@ namespace saddle {
 inline constexpr double kOscillatingShare = 0.4;
 
 /// Where cells are predicted to be unresolvable in u, and in v: at kOscillatingShare of the nearest
-/// nine samples of a probe. Undefined samples count as resolvable: beside a boundary few are
-/// defined, and one of them may be where a root is steep.
+/// nine samples of a probe, of those that are defined.
 class AliasingForecast {
  public:
   /// Predicts none.

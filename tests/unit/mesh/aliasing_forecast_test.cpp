@@ -22,6 +22,7 @@ TEST(AliasingForecast, SeesWavesThatFillAnArea) {
   EXPECT_TRUE(forecast_of({0, 1, 2, 3, 4}, {}).at({1, 1}).x);
   EXPECT_FALSE(forecast_of({0, 1, 2, 3, 4}, {}).at({1, 1}).y);
   EXPECT_TRUE(forecast_of({0, 2, 4, 6, 8}, {1, 3, 5, 7}).at({1, 1}).x) << "defined in places";
+  EXPECT_TRUE(forecast_of({0, 4, 8}, {1, 2, 3, 5, 6, 7}).at({1, 1}).x) << "in few";
 }
 
 TEST(AliasingForecast, TakesNoSteepBoundaryForWaves) {
