@@ -18,9 +18,6 @@ namespace saddle {
 
 namespace {
 
-/// A bend is sharp if interpolated normals are off by over 10 degrees, or if normals at opposite
-/// corners are as far apart as kSteepCosine. An arc is no parabola then, and predictions fail.
-constexpr double kSharpDegrees = 10;
 /// A triangle bridges a bend if its normal is over 30 degrees from the mean of its corners'.
 constexpr double kBridgedCosineSquare = 0.75;
 /// Assumption: a leaf validated below 0.5 tolerances, or whose bridges are thinner, needs no more
@@ -37,6 +34,8 @@ constexpr std::array kStepShares = {0.2, 0.1, 0.05};
 /// tolerances from the corner's tangent plane, where the corner is not near.
 constexpr double kBelowCorner = 1.25;
 
+/// Whether normals at opposite corners are as far apart as kSteepCosine. There, and where
+/// interpolated normals are off by kSharpDegrees, an arc is no parabola, and predictions fail.
 bool turns_sharply(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
   const auto turns = [&](std::size_t a, std::size_t b) {
     return glm::dot(mesh.normal[corner[a]], mesh.normal[corner[b]]) < kSteepCosine;

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "mesh/features/sheet_ends.h"
 #include "mesh/mesher/sheet_chord.h"
@@ -23,10 +23,9 @@ namespace {
 /// Rounds of rays: each divides the bracket of a corner by 8 at least, and by far more on straight
 /// lines.
 constexpr int kRayRounds = 5;
-/// An edge has a corner if two neighbouring places hold 0.6 of its turn, and 10 degrees at least:
-/// of a smooth arc they hold 0.3.
+/// An edge has a corner if two neighbouring places hold 0.6 of its turn, and enough of it: of a
+/// smooth arc they hold 0.3.
 constexpr double kShareOfCorner = 0.6;
-constexpr double kLeastCorner = 10 * std::numbers::pi / 180;
 /// An edge nearer to its chord than 1e-5 of the leaf is straight.
 constexpr double kStraight = 1e-5;
 /// A ray to a corner of the feature goes on by 1e-4 of itself, to show that the sheet ends there.
@@ -38,6 +37,11 @@ constexpr double kGlanceAtCorner = 0.85;
 /// Whether a place, in sides of a leaf from its low corner, is in the leaf.
 bool is_in_leaf(const dvec2& place) {
   return std::min(place.x, place.y) >= 0 && std::max(place.x, place.y) <= 1;
+}
+
+/// Whether an edge that turns by so many radians may have a corner.
+bool is_corner(double turn) {
+  return turn > glm::radians(kSharpDegrees);
 }
 
 class Solver {
@@ -196,8 +200,8 @@ class Solver {
         turns[k] = turn_between(nodes[k + 1] - nodes[k], nodes[k + 2] - nodes[k + 1]);
       const double sum = std::fabs(turns[0]) + std::fabs(turns[1]) + std::fabs(turns[2]);
       const double sharp = std::max(std::fabs(turns[0] + turns[1]), std::fabs(turns[1] + turns[2]));
-      chord.is_open = sharp > kGlanceAtCorner * sum && sharp > kLeastCorner;
-      chord.is_smooth = sum <= kLeastCorner;
+      chord.is_open = sharp > kGlanceAtCorner * sum && is_corner(sharp);
+      chord.is_smooth = !is_corner(sum);
     });
     for_leaves_of(chords_, [this](std::span<const SheetChord> chords) {
       if (std::ranges::all_of(chords, &SheetChord::is_smooth))
@@ -250,7 +254,7 @@ class Solver {
           farthest = k;
       }
       const bool is_bent = distance_from_chord_of(chord, nodes[farthest]) > kStraight;
-      chord.is_open = is_bent && sharp > kShareOfCorner * sum && sharp > kLeastCorner;
+      chord.is_open = is_bent && sharp > kShareOfCorner * sum && is_corner(sharp);
       chord.is_found = is_bent && (chord.is_open || !chord.is_near);
       chord.corner = nodes[farthest];
       chord.turn = 0;
@@ -284,7 +288,7 @@ class Solver {
     // Arms that are nearly parallel meet far away.
     const double share = meeting && is_in_leaf(*meeting) ? share_of(chord, *meeting) : std::nan("");
     chord.is_open =
-        share > chord.shares[first - 1] && share < chord.shares[last + 1] && turn > kLeastCorner;
+        share > chord.shares[first - 1] && share < chord.shares[last + 1] && is_corner(turn);
     if (!chord.is_open) return;
     chord.is_found = true;
     chord.touches = true;

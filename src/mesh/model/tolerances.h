@@ -54,6 +54,8 @@ inline constexpr double kStays = 2;
 /// Normals that differ by no more, in degrees, are one normal. A smaller angle is no visible
 /// crease, and one corner in place of four keeps smooth poles smooth.
 inline constexpr double kCreaseDegrees = 1;
+/// An edge that turns by less has no corner, and normals that are off by less no sharp bend.
+inline constexpr double kSharpDegrees = 10;
 /// In chords: a sample farther from its chord does not lie on a small arc, and its distance along
 /// the normal is no estimate of the error.
 inline constexpr double kSmallArc = 0.3;
