@@ -405,8 +405,25 @@ void AdaptiveMesher::ask_forgotten_samples() {
   tree_.geometry().evaluate(request_.threads);
 }
 
-/// Removes failed leaves from the mesh and returns their halves. It tests the leaves that were
-/// validated since the last call, and those whose features changed.
+/// The error ratios of a leaf that failed its validation; nothing for others. Leaves that were
+/// tested before are only if their features changed since.
+std::optional<AdaptiveMesher::Failure> AdaptiveMesher::failure_of(std::size_t number) {
+  const Leaf& leaf = mesh_.leaves[number];
+  const bool is_cut = leaf.state.is_cut_by_feature();
+  const bool is_cut_anew = is_cut && tree_.revisions().has_changed(leaf, halved_);
+  if (leaf.validated_at <= halved_ && !is_cut_anew) return std::nullopt;
+  const bool is_on_lines =
+      has_thin_vertex(leaf, tree_) || (is_cut && has_cut(FeatureKind::Jump, leaf, tree_));
+  if (mesh_.is_near(number) && !is_cut && !is_on_lines && !validation_.is_turned(number))
+    return std::nullopt;
+  const Failure failure = {mesh_.error_ratio(number) / (is_on_lines ? kAimOnLines : 1),
+                           normal_error_ratio(number)};
+  const bool fails =
+      failure.distance > 1 || failure.normal > 1 || direction_.is_cut_unclearly(number);
+  return fails ? std::optional(failure) : std::nullopt;
+}
+
+/// Removes failed leaves from the mesh and returns their halves.
 std::vector<Leaf> AdaptiveMesher::halve_failed() {
   ask_forgotten_samples();
   const std::uint32_t now = tree_.revisions().next();
@@ -416,14 +433,8 @@ std::vector<Leaf> AdaptiveMesher::halve_failed() {
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     Leaf& leaf = mesh_.leaves[k];
     const bool is_cut = leaf.state.is_cut_by_feature();
-    const bool is_cut_anew = is_cut && tree_.revisions().has_changed(leaf, halved_);
-    if (leaf.validated_at <= halved_ && !is_cut_anew) continue;
-    const bool is_on_lines =
-        has_thin_vertex(leaf, tree_) || (is_cut && has_cut(FeatureKind::Jump, leaf, tree_));
-    if (mesh_.is_near(k) && !is_cut && !is_on_lines && !validation_.is_turned(k)) continue;
-    const double distance_ratio = mesh_.error_ratio(k) / (is_on_lines ? kAimOnLines : 1);
-    const double normal_ratio = normal_error_ratio(k);
-    if (!(distance_ratio > 1) && !(normal_ratio > 1) && !direction_.is_cut_unclearly(k)) continue;
+    const std::optional<Failure> failure = failure_of(k);
+    if (!failure) continue;
     if (is_cut && leave_out_if_small(k)) continue;
     if (!unresolvable) unresolvable.emplace(oscillation());
     if (stop_if_done(leaf, *unresolvable)) continue;
@@ -433,11 +444,11 @@ std::vector<Leaf> AdaptiveMesher::halve_failed() {
     failed.push_back(k);
     // The error at a feature says nothing about the size of leaves beside it, and those at a
     // boundary do not add up.
-    const double safety = is_cut ? 1 : std::clamp(distance_ratio, 1.0, kMostSafety);
+    const double safety = is_cut ? 1 : std::clamp(failure->distance, 1.0, kMostSafety);
     for (Leaf half : *both) {
       if (leaf.state.is_on_boundary()) half.safety = 1;
       half.safety *= static_cast<float>(safety);
-      half.normal_safety *= static_cast<float>(std::clamp(normal_ratio, 1.0, kMostSafety));
+      half.normal_safety *= static_cast<float>(std::clamp(failure->normal, 1.0, kMostSafety));
       halves.push_back(half);
     }
   }

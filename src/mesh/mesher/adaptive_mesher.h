@@ -92,7 +92,12 @@ class AdaptiveMesher {
   std::vector<Leaf> halve_missed();
   std::optional<std::array<Leaf, 2>> halve_cut(std::size_t number);
   bool stop_if_done(Leaf& leaf, const Oscillation& oscillation);
+  /// Error ratios of distances and of normals.
+  struct Failure {
+    double distance, normal;
+  };
   void ask_forgotten_samples();
+  std::optional<Failure> failure_of(std::size_t number);
   std::vector<Leaf> halve_failed();
   std::vector<Leaf> reactivate_defined();
   void take_thinly_cut(std::vector<std::size_t>& numbers, std::vector<Leaf>& active) const;

@@ -114,9 +114,31 @@ class Subdivider {
         static_cast<std::size_t>(std::ranges::count_if(fast_errors.leaves, &FastCellError::passes));
     // Leaves that grow by doubling would have room for up to twice as many.
     if (passing > result_.leaves.size()) result_.leaves.reserve(result_.leaves.size() + passing);
-    std::vector<Estimated> boundaries;
-    std::vector<Estimated> to_search;
-    std::vector<Estimated> smooth;
+    Doubtful doubtful = keep_clear(part, fast_errors);
+    std::erase_if(doubtful.to_search, [&](const Estimated& estimated) {
+      const Leaf& leaf = estimated.candidate.leaf;
+      const bool is_unresolvable =
+          oscillates(leaf) || known_oscillation_.splits_predicted_u(leaf, tree_).has_value();
+      if (is_unresolvable) doubtful.smooth.push_back(estimated);
+      return is_unresolvable;
+    });
+    for (const Estimated& estimated : doubtful.smooth) keep_or_halve(estimated);
+    halve_boundaries(doubtful.boundaries);
+    search_features(doubtful.to_search);
+    if (forgets_) forget(samples, std::span(result_.leaves).subspan(kept));
+  }
+
+  /// Leaves of which the loops of estimates do not say that they pass: on the boundary, with
+  /// samples that show a feature, and others.
+  struct Doubtful {
+    std::vector<Estimated> boundaries, to_search, smooth;
+  };
+
+  /// Keeps leaves that pass at once, and returns the others. Leaves without defined samples are
+  /// halved or left out.
+  Doubtful keep_clear(Part& part, const FastCellErrors& fast_errors) {
+    auto& [leaves, origins] = part;
+    Doubtful doubtful;
     for (std::size_t k = 0; k < leaves.size(); ++k) {
       const FastCellError& fast = fast_errors.leaves[k];
       const bool is_thinly_cut = has_thin_vertex(leaves[k], tree_);
@@ -128,33 +150,23 @@ class Subdivider {
       const int defined = fast.is_known ? 9 : count_defined(tree_, leaves[k]);
       if (defined == 0 && !is_thinly_cut) {
         seek_defined(candidate);
-        continue;
+      } else if (defined < 9 || is_thinly_cut) {
+        if (!keep_oscillating_boundary(leaves[k]))
+          doubtful.boundaries.push_back({std::move(candidate), {}});
+      } else {
+        Estimated estimated = estimate(std::move(candidate), fast_errors.error(fast));
+        if (!estimated.candidate.leaf.state.leads_to_pole())
+          oscillation_.add(estimated.candidate.leaf, estimated.error.distance, tree_);
+        auto& to = needs_search(estimated) ? doubtful.to_search : doubtful.smooth;
+        to.push_back(std::move(estimated));
       }
-      if (defined < 9 || is_thinly_cut) {
-        if (!keep_oscillating_boundary(leaves[k])) boundaries.push_back({std::move(candidate), {}});
-        continue;
-      }
-      Estimated estimated = estimate(std::move(candidate), fast_errors.error(fast));
-      const Leaf& leaf = estimated.candidate.leaf;
-      if (!leaf.state.leads_to_pole()) {
-        oscillation_.add(leaf, estimated.error.distance, tree_);
-      }
-      const bool needs_search =
-          shows_feature(estimated) || (!landmarks_in(estimated.candidate).empty() &&
-                                       missed_counterexample(estimated) != nullptr);
-      (needs_search ? to_search : smooth).push_back(std::move(estimated));
     }
-    std::erase_if(to_search, [&](const Estimated& estimated) {
-      const Leaf& leaf = estimated.candidate.leaf;
-      const bool is_unresolvable =
-          oscillates(leaf) || known_oscillation_.splits_predicted_u(leaf, tree_).has_value();
-      if (is_unresolvable) smooth.push_back(estimated);
-      return is_unresolvable;
-    });
-    for (const Estimated& estimated : smooth) keep_or_halve(estimated);
-    halve_boundaries(boundaries);
-    search_features(to_search);
-    if (forgets_) forget(samples, std::span(result_.leaves).subspan(kept));
+    return doubtful;
+  }
+
+  bool needs_search(const Estimated& estimated) const {
+    return shows_feature(estimated) || (!landmarks_in(estimated.candidate).empty() &&
+                                        missed_counterexample(estimated) != nullptr);
   }
 
   /// Forgets samples that none of these leaves has.
