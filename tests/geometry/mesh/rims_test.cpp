@@ -158,6 +158,26 @@ TEST(Rims, LeaveTheMeshBesideThemAsCoarseAsItMayBe) {
   EXPECT_LT(result.report.evaluations, 4'000'000U);
 }
 
+/// Beside the rim of a tenth root doubles end at a height of 0.025. The mesh goes on to 0, and so
+/// does the exact surface, which is at radius sqrt(1 - z^10).
+TEST(Rims, OfHighRootsKeepTheTolerance) {
+  const MeshResult result = mesh_of_rim("(1-u^2-v^2)^0.1", 1e-3);
+  const double tolerance = *result.report.tolerance;
+  EXPECT_LE(result.report.max_error, tolerance);
+  EXPECT_LT(result.report.cells, 15'000U);
+  const Mesh& mesh = result.mesh;
+  double worst = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const dvec3 p =
+        (mesh.position[t[0]] + mesh.position[t[1]] + mesh.position[t[2]]) / 3.0;  // its middle
+    const double r = std::hypot(p.x, p.y);
+    const double across = std::fabs(r - std::sqrt(1 - std::pow(p.z, 10)));
+    const double along = std::fabs(p.z - std::pow(std::max(1 - r * r, 0.0), 0.1));
+    worst = std::max(worst, std::min(across, along));
+  }
+  EXPECT_LT(worst, 1.2 * tolerance);
+}
+
 TEST(Rims, AreWhereLinesEnd) {
   const Mesh mesh = try_mesh(height_field("sqrt(1-u^2-v^2)"), within_share(1e-3)).value().mesh;
   const std::map<PointEdge, int> edges = edge_counts(mesh);
