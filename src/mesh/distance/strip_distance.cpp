@@ -49,22 +49,6 @@ std::vector<std::uint32_t> StripDistance::thin_ends(const Leaf& leaf, bool& is_g
   return ends;
 }
 
-namespace {
-
-/// Sides of a leaf's triangles that are no diagonals.
-std::vector<std::array<std::uint32_t, 2>> outer_sides(std::span<const Triangle> triangles) {
-  std::vector<std::array<std::uint32_t, 2>> sides;
-  for (const Triangle& t : triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::array<std::uint32_t, 2> side = {t[i], t[(i + 1) % 3]};
-      if (!has_side(triangles, side[1], side[0])) sides.push_back(side);
-    }
-  }
-  return sides;
-}
-
-}  // namespace
-
 bool StripDistance::add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
                         double allowed) {
   bool is_gap = false;
@@ -79,10 +63,11 @@ bool StripDistance::add(const Leaf& leaf, std::size_t number, std::span<const Tr
   const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
   const auto place = [&](std::uint32_t vertex) { return (grid_.mesh.uv[vertex] - low) / size; };
   Across across{number, triangles, {}, is_gap, ends, {}, 0, {}};
-  for (const auto& edge : outer_sides(triangles)) {
-    if (is_chord(0.5 * (place(edge[0]) + place(edge[1])), edge, tree_))
+  for_triangle_sides(triangles, [&](const Triangle& t, std::size_t k, bool is_diagonal) {
+    const std::array<std::uint32_t, 2> edge = {t[k], t[(k + 1) % 3]};
+    if (!is_diagonal && is_chord(0.5 * (place(edge[0]) + place(edge[1])), edge, tree_))
       across.edges.push_back(edge);
-  }
+  });
   const dvec2 from = place(ends[0]);
   if (ends.size() == 1) {
     const int axis = std::min(from.x, 1 - from.x) < std::min(from.y, 1 - from.y) ? 0 : 1;

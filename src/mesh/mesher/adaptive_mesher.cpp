@@ -249,7 +249,8 @@ void AdaptiveMesher::refine(ActiveLeaves active, const SubdivisionGoal& goal) {
   join_points();
   const std::size_t first = mesh_.sampled_errors.size();
   validation_.validate_new(std::move(changed));
-  if (has_forgotten_) grid_.forget_triangles();  // leaves have their own
+  // Leaves have their own.
+  if (has_forgotten_ && !grid_.mesh.triangles.empty()) grid_.forget_triangles();
   place_inner_vertices(first);
 }
 

@@ -60,7 +60,7 @@ std::uint32_t DyadicVertices::add(DyadicPoint place) {
   return static_cast<std::uint32_t>(used_.size() - 1);
 }
 
-/// The same where the leaf's samples are forgotten.
+/// hanging_middle() of a leaf whose samples are forgotten.
 std::uint32_t DyadicVertices::forgotten_middle(const Leaf& leaf, std::size_t k) const {
   const auto& corner = leaf.samples.corner;
   if (beside_middle_[corner[k]] == 0 || beside_middle_[corner[(k + 1) % 4]] == 0) return kNoIndex;

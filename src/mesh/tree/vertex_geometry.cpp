@@ -48,13 +48,7 @@ void VertexGeometry::repair_root_grid(unsigned threads) {
 
 void VertexGeometry::reserve(std::size_t count) {
   vertices_.reserve(count);
-  Mesh& mesh = grid_.mesh;
-  mesh.position.reserve(count);
-  mesh.normal.reserve(count);
-  mesh.uv.reserve(count);
-  mesh.point.reserve(count);
-  regular_.reserve(count);
-  defined_.reserve(count);
+  for_arrays([count](auto& array) { array.reserve(count); });
 }
 
 void VertexGeometry::add_middles(unsigned threads) {
@@ -69,14 +63,7 @@ void VertexGeometry::add_middles(unsigned threads) {
 
 /// Makes room for the vertices that have no positions yet.
 void VertexGeometry::resize() {
-  const std::size_t count = vertices_.size();
-  Mesh& mesh = grid_.mesh;
-  mesh.position.resize(count);
-  mesh.normal.resize(count);
-  mesh.uv.resize(count);
-  mesh.point.resize(count);
-  regular_.resize(count);
-  defined_.resize(count);
+  for_arrays([count = vertices_.size()](auto& array) { array.resize(count); });
 }
 
 template <class Vertex, class Uv>

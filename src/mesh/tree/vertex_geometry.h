@@ -97,6 +97,16 @@ class VertexGeometry {
   void join(std::uint32_t from, std::uint32_t to);
 
  private:
+  /// Calls f for each array with an element for each vertex.
+  template <class F>
+  void for_arrays(F f) {
+    f(grid_.mesh.position);
+    f(grid_.mesh.normal);
+    f(grid_.mesh.uv);
+    f(grid_.mesh.point);
+    f(regular_);
+    f(defined_);
+  }
   void reserve(std::size_t count);
   void resize();
   void evaluate_at(std::span<const std::uint32_t> vertices, std::span<const double> u,
