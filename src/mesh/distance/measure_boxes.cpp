@@ -110,6 +110,11 @@ std::vector<ProofOutcome> BoxMeasure::operator()(std::span<const BoundedBox> box
   return outcomes;
 }
 
+const NearestTriangles& BoxMeasure::tree() {
+  if (!tree_) tree_.emplace(triangles_.all());
+  return *tree_;
+}
+
 /// A triangle that is near enough, first the one of the point before; else the nearest.
 NearestTriangle BoxMeasure::nearest(std::size_t patch, const dvec3& position, double enough) {
   NearestTriangle nearest;
@@ -121,8 +126,13 @@ NearestTriangle BoxMeasure::nearest(std::size_t patch, const dvec3& position, do
     if (own.distance < nearest.distance) nearest = own;
   }
   if (nearest.distance <= enough) return nearest;
-  if (!tree_) tree_.emplace(triangles_.all());
-  return tree_->nearest(position, enough, nearest);
+  return tree().nearest(position, enough, nearest);
+}
+
+double BoxMeasure::distance_from_mesh(const dvec3& position, double known) {
+  NearestTriangle nearest;
+  nearest.distance = known;
+  return tree().nearest(position, 0, nearest).distance;
 }
 
 ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> uv,

@@ -30,6 +30,9 @@ class BoxMeasure {
   /// MeasureBoxes
   std::vector<ProofOutcome> operator()(std::span<const BoundedBox> boxes);
 
+  /// The distance of a position from all triangles of the mesh, or `known` if none is nearer.
+  double distance_from_mesh(const dvec3& position, double known);
+
   /// A point of each refuted box that is farther away than its patch allows, and its distance.
   struct Found {
     Counterexample counterexample;
@@ -38,6 +41,7 @@ class BoxMeasure {
   const std::vector<Found>& found() const { return found_; }
 
  private:
+  const NearestTriangles& tree();
   NearestTriangle nearest(std::size_t patch, const dvec3& position, double enough);
   ProofOutcome measure(const BoundedBox& box, std::span<const dvec2> uv,
                        std::span<const dvec3> points);

@@ -218,18 +218,6 @@ double ErrorIndicator::allowed(const Leaf& leaf) const {
   return ball.allowed_by(limits_.tolerance);
 }
 
-bool ErrorIndicator::misses(const Leaf& leaf, const Counterexample& counterexample) const {
-  const dvec2 size =
-      glm::abs(tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low));
-  const int along = splits_u(leaf, counterexample) ? 0 : 1;
-  if (size[along] <= counterexample.size[along]) return false;
-  if (!is_finite(counterexample.position)) return true;
-  Array<Triangle> triangles;
-  cut_cell(grid_, leaf.samples.corner, triangles);
-  return distance_from(grid_, triangles, counterexample.uv, counterexample.position) >
-         limits_.tolerance(counterexample.position);
-}
-
 bool ErrorIndicator::splits_u(const Leaf& leaf, const Counterexample& counterexample) const {
   const dvec2 size = tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
   const dvec2 arc = size * size * counterexample.bend;

@@ -77,9 +77,8 @@ class ErrorIndicator {
   /// tolerance on the mean of its sides. A part of a sheet that is missing there is not visible.
   bool is_too_small_to_see(const Leaf& leaf) const;
 
-  /// Whether a leaf that passes the estimate misses the surface, or a hole, at a counterexample.
-  bool misses(const Leaf& leaf, const Counterexample& counterexample) const;
-  /// Whether to halve such a leaf along u: where the surface bends more along u there.
+  /// Whether to halve a leaf along u that misses a counterexample: where the surface bends more
+  /// along u there.
   bool splits_u(const Leaf& leaf, const Counterexample& counterexample) const;
 
   /// Whether to halve a leaf that failed along u.

@@ -501,11 +501,16 @@ std::set<std::size_t> AdaptiveMesher::drop_done(std::vector<Counterexample>& cou
 }
 
 /// Leaves with counterexamples or jumps in their unproved boxes. Where the work of proofs is done,
-/// the counterexamples only count as errors: more may be anywhere.
+/// counterexamples in leaves with features only count as errors: no halving follows from them, and
+/// nothing would end their search.
 ActiveLeaves AdaptiveMesher::activate_refuted() {
   const bool is_spent = proof_.is_spent();
   auto [boxes, counterexamples] = proof_.prove(mesh_);
-  if (is_spent) counterexamples.clear();
+  if (is_spent) {
+    std::erase_if(counterexamples, [this](const Counterexample& counterexample) {
+      return !mesh_.leaves[counterexample.cell].state.is_whole();
+    });
+  }
   std::set<std::size_t> refuted = drop_done(counterexamples);
   const std::vector<std::size_t> jumping = find_jumping(boxes);
   refuted.insert(jumping.begin(), jumping.end());

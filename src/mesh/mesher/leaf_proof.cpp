@@ -74,9 +74,9 @@ LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
     if (proof.proved[k] != 0) mesh.proved[leaf].put_on(mesh.revision_of(leaf));
     if (proof.rough[k] != 0) mesh.rough[leaf].put_on(mesh.revision_of(leaf));
   }
-  for (UnprovedBox& box : proof.unproved_boxes) box.patch = leaves[box.patch];
   Result result{std::move(proof.unproved_boxes), {}};
-  result.counterexamples = refute(result.unproved_boxes, mesh);
+  result.counterexamples = refute(result.unproved_boxes, leaves, measure, mesh);
+  for (UnprovedBox& box : result.unproved_boxes) box.patch = leaves[box.patch];
   for (const BoxMeasure::Found& found : measure.found()) {
     result.counterexamples.push_back(found.counterexample);
     const std::size_t leaf = leaves[found.counterexample.cell];
@@ -95,35 +95,40 @@ std::vector<UnprovedBox> LeafProof::find_unproved(ValidatedMesh& mesh) {
   return boxes;
 }
 
+/// Beside a feature the nearest triangle may be a neighbour's. `leaves`: the numbers of the
+/// patches.
 std::vector<Counterexample> LeafProof::refute(std::span<const UnprovedBox> boxes,
-                                              ValidatedMesh& mesh) const {
+                                              std::span<const std::size_t> leaves,
+                                              BoxMeasure& measure, ValidatedMesh& mesh) const {
   std::vector<dvec2> middles;
   for (const UnprovedBox& box : boxes) middles.push_back(box.middle);
   const std::vector<dvec3> points = evaluate_positions(surface_, middles, threads_);
   std::vector<Counterexample> counterexamples;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const UnprovedBox& box = boxes[k];
-    const double distance =
-        distance_from(grid_, mesh.triangles.of(box.patch), box.middle, points[k]);
-    mesh.add(box.patch, distance, box.middle);
+    const std::size_t leaf = leaves[box.patch];
+    double distance = distance_from(grid_, mesh.triangles.of(leaf), box.middle, points[k]);
+    if (distance > mesh.allowed[leaf]) distance = measure.distance_from_mesh(points[k], distance);
+    mesh.add(leaf, distance, box.middle);
     const bool exceeds_tolerance =
-        box.is_undefined ? is_visible_hole(box, mesh) : distance > mesh.allowed[box.patch];
+        box.is_undefined ? is_visible_hole(box.size, leaf, mesh) : distance > mesh.allowed[leaf];
     if (exceeds_tolerance)
-      counterexamples.push_back({box.middle, points[k], box.size, box.bend, box.patch});
+      counterexamples.push_back({box.middle, points[k], box.size, box.bend, leaf});
   }
   return counterexamples;
 }
 
-/// Whether a box in which the surface is undefined shows in the mesh.
-bool LeafProof::is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mesh) const {
-  const Leaf& leaf = mesh.leaves[box.patch];
+/// Whether a box of parameters in a leaf, in which the surface is undefined, shows in the mesh.
+bool LeafProof::is_visible_hole(const dvec2& size_of_hole, std::size_t number,
+                                const ValidatedMesh& mesh) const {
+  const Leaf& leaf = mesh.leaves[number];
   const dvec2 size =
       glm::abs(tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low));
-  const dvec2 part = box.size / size;
+  const dvec2 part = size_of_hole / size;
   const auto p = corner_positions(leaf, tree_);
   const double along_u = std::max(glm::distance(p[0], p[1]), glm::distance(p[3], p[2]));
   const double along_v = std::max(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));
-  return std::max(part.x * along_u, part.y * along_v) > kVisibleHole * mesh.allowed[box.patch];
+  return std::max(part.x * along_u, part.y * along_v) > kVisibleHole * mesh.allowed[number];
 }
 
 void LeafProof::leave_unproved(std::span<const Leaf> leaves) {

@@ -17,6 +17,7 @@
 
 namespace saddle {
 
+class BoxMeasure;
 class CellTree;
 
 class LeafProof {
@@ -47,7 +48,7 @@ class LeafProof {
   bool is_proved(const ValidatedMesh& mesh, std::size_t leaf) const {
     return mesh.proved[leaf].is_on(mesh.revision_of(leaf));
   }
-  /// Whether the work of proofs is done: more counterexamples are told, not mended.
+  /// Whether the work of proofs is done: only some of the worst places are searched.
   bool is_spent() const { return budget_.is_spent(true); }
   /// The boxes without a proof. The gaps of the last prove() stay for the report.
   std::vector<UnprovedBox> find_unproved(ValidatedMesh& mesh);
@@ -61,8 +62,10 @@ class LeafProof {
  private:
   ProvedCells cells_of(const ValidatedMesh& mesh) const;
   std::vector<std::size_t> unproved_leaves(const ValidatedMesh& mesh) const;
-  std::vector<Counterexample> refute(std::span<const UnprovedBox> boxes, ValidatedMesh& mesh) const;
-  bool is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mesh) const;
+  std::vector<Counterexample> refute(std::span<const UnprovedBox> boxes,
+                                     std::span<const std::size_t> leaves, BoxMeasure& measure,
+                                     ValidatedMesh& mesh) const;
+  bool is_visible_hole(const dvec2& size, std::size_t leaf, const ValidatedMesh& mesh) const;
   void leave_domain_unproved(GapReason why);
   void name_gaps(const MeshReport& report);
 

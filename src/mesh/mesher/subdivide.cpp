@@ -165,8 +165,8 @@ class Subdivider {
   }
 
   bool needs_search(const Estimated& estimated) const {
-    return shows_feature(estimated) || (!landmarks_in(estimated.candidate).empty() &&
-                                        missed_counterexample(estimated) != nullptr);
+    return shows_feature(estimated) || (has_landmark(estimated.candidate) &&
+                                        missed_counterexample(estimated.candidate) != nullptr);
   }
 
   /// Forgets samples that none of these leaves has.
@@ -289,8 +289,7 @@ class Subdivider {
       const int wanted = goes_far || has_essential(leaf.samples) ? kMostCutHalvings
                                                                  : boundary_halvings(leaf, tree_);
       is_coarse.push_back(halvings(leaf) < wanted);
-      if (!is_coarse.back() && !landmarks_in(boundary.candidate).empty())
-        with_landmarks.push_back(leaf);
+      if (!is_coarse.back() && has_landmark(boundary.candidate)) with_landmarks.push_back(leaf);
     }
     search_sides(with_landmarks);
     for (std::size_t k = 0; k < boundaries.size(); ++k)
@@ -404,7 +403,8 @@ class Subdivider {
                                : !is_far  ? error.turn
                                           : worse(error.distance, error.turn);
     const bool passes = !is_far && !is_turned;
-    const Counterexample* const missed = passes ? missed_counterexample(estimated) : nullptr;
+    const Counterexample* const missed =
+        passes ? missed_counterexample(estimated.candidate) : nullptr;
     std::optional<std::array<Leaf, 2>> halves;
     if (!passes || missed != nullptr) {
       halves = halves_of(leaf, missed != nullptr ? indicator_.splits_u(leaf, *missed)
@@ -461,43 +461,53 @@ class Subdivider {
     if (forgets_) next_.back().leaves.back().samples.forget_all_but_corners();
   }
 
-  /// The landmarks at which a leaf is larger than the tolerance.
-  std::vector<const Counterexample*> landmarks_in(const Candidate& candidate) const {
-    const dvec2 size = glm::abs(tree_.vertices().parameters(candidate.leaf.high) -
-                                tree_.vertices().parameters(candidate.leaf.low));
-    std::vector<const Counterexample*> landmarks;
-    for (const std::uint32_t number : candidate.origin.counterexamples) {
-      const Counterexample& place = counterexamples_[number];
-      if (!place.speed || !is_finite(place.position)) continue;
-      if (glm::dot(*place.speed, size) > limits_.tolerance(place.position))
-        landmarks.push_back(&place);
-    }
-    return landmarks;
+  /// Whether a leaf is large enough to be halved for a counterexample: larger than the tolerance at
+  /// a landmark of a sheet, or larger than the box that the counterexample stands for.
+  bool is_large_at(const Leaf& leaf, const Counterexample& place) const {
+    const dvec2 size =
+        glm::abs(tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low));
+    if (is_landmark(place)) return glm::dot(*place.speed, size) > limits_.tolerance(place.position);
+    return indicator_.splits_u(leaf, place) ? size.x >= place.size.x : size.y >= place.size.y;
   }
 
-  /// Whether a leaf with features misses a landmark by more than the tolerance.
-  bool misses_landmark(const Candidate& candidate) {
-    const std::vector<const Counterexample*> landmarks = landmarks_in(candidate);
-    if (landmarks.empty()) return false;
-    const auto leaf = std::span(&candidate.leaf, 1);
-    search_sides(leaf);
-    const LeafTriangles triangles =
-        triangulate_leaves(leaf, std::array{std::size_t{0}}, SingularCorners(), grid_, tree_);
-    if (triangles.all.empty()) return true;
-    return std::ranges::any_of(landmarks, [&](const Counterexample* place) {
-      return distance_from(grid_, triangles.all, place->uv, place->position) >
-             limits_.tolerance(place->position);
+  /// A landmark of a sheet.
+  static bool is_landmark(const Counterexample& place) {
+    return place.speed && is_finite(place.position);
+  }
+
+  bool has_landmark(const Candidate& candidate) const {
+    return std::ranges::any_of(candidate.origin.counterexamples, [&](std::uint32_t number) {
+      const Counterexample& place = counterexamples_[number];
+      return is_landmark(place) && is_large_at(candidate.leaf, place);
     });
   }
 
-  /// The first counterexample that a leaf misses.
-  const Counterexample* missed_counterexample(const Estimated& estimated) const {
-    const auto& [leaf, origin] = estimated.candidate;
-    for (const std::uint32_t counterexample : origin.counterexamples) {
-      if (indicator_.misses(leaf, counterexamples_[counterexample]))
-        return &counterexamples_[counterexample];
+  /// The first counterexample that a leaf misses with the triangles that it has in the mesh.
+  const Counterexample* missed_counterexample(const Candidate& candidate) const {
+    const auto& [leaf, origin] = candidate;
+    if (origin.counterexamples.empty()) return nullptr;
+    const LeafTriangles triangles = triangulate_leaves(
+        std::span(&leaf, 1), std::array{std::size_t{0}}, SingularCorners(), grid_, tree_);
+    for (const std::uint32_t number : origin.counterexamples) {
+      const Counterexample& place = counterexamples_[number];
+      if (!is_large_at(leaf, place)) continue;
+      const bool is_missed =
+          is_finite(place.position)
+              ? triangles.all.empty() ||
+                    distance_from(grid_, triangles.all, place.uv, place.position) >
+                        limits_.tolerance(place.position)
+              : leaf.state.is_whole();
+      if (is_missed) return &place;
     }
     return nullptr;
+  }
+
+  /// Whether a leaf with features misses a landmark with the features that it has.
+  bool misses_landmark(const Candidate& candidate) {
+    if (!has_landmark(candidate)) return false;
+    search_sides(std::span(&candidate.leaf, 1));
+    const Counterexample* const missed = missed_counterexample(candidate);
+    return missed != nullptr && is_landmark(*missed);
   }
 
   std::span<const Counterexample> counterexamples_;
