@@ -50,7 +50,9 @@ class PlaceList {
   std::set<std::array<double, 2>> seen_;
 };
 
-/// Lines of constant u or v that cut the sides of leaves across them from end to end.
+/// Lines of constant u or v that cut the sides of leaves across them from end to end. Many curves
+/// may end at the same parameters of both ends, as those of u v: a line cuts most of the grid's
+/// lines between them, too. Where a step has no height, it cuts nothing.
 class LinesOfCuts {
  public:
   /// Adds a cut of a side that goes from `first` to `last`.
@@ -59,7 +61,7 @@ class LinesOfCuts {
     if (first.x == last.x) across_v_.emplace_back(cut.y, cut.x);
   }
 
-  /// The lines with cuts at both ends.
+  /// The lines with cuts at both ends, and on most lines of the grid.
   ParameterLines from_end_to_end(const Grid& grid) {
     return {lines(across_u_, grid.range.x, grid.v), lines(across_v_, grid.range.y, grid.u)};
   }
@@ -75,10 +77,12 @@ class LinesOfCuts {
       const double limit = begin->first + kNearly * std::fabs(range);
       const auto end =
           std::find_if(begin, cuts.end(), [limit](const auto& cut) { return cut.first > limit; });
-      const auto is_at = [&](double at) {
-        return std::any_of(begin, end, [at](const auto& cut) { return cut.second == at; });
-      };
-      if (is_at(along.front()) && is_at(along.back())) lines.push_back(begin->first);
+      std::set<double> cut_at;
+      for (const auto& cut : std::ranges::subrange(begin, end)) cut_at.insert(cut.second);
+      const auto is_cut = [&](double at) { return cut_at.contains(at); };
+      const bool is_whole = is_cut(along.front()) && is_cut(along.back()) &&
+                            2 * std::ranges::count_if(along, is_cut) > std::ssize(along);
+      if (is_whole) lines.push_back(begin->first);
       begin = end;
     }
     return lines;
