@@ -212,6 +212,8 @@ TEST_F(CheckCommand, CountsLinesOfJumpsFromEndToEnd) {
             "8 lines of constant u, u = -0.75, -0.5, -0.25, 0, 0.25, 0.5 and others; "
             "within u = 0.9:0.999479, v = 0.1:1");
   EXPECT_EQ(jumps("z=sign(u)"), "u = 0, v = -1:1");
+  // Hyperbolas that end at the same parameters of both edges.
+  EXPECT_FALSE(contains(jumps("z=mod(10*u*v,1)"), "lines of constant"));
 }
 
 TEST_F(CheckCommand, CountsLinesOfPolesFromEndToEnd) {

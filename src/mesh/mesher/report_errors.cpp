@@ -170,7 +170,8 @@ class ErrorReporter {
         strictest_(report.rounding ? std::numeric_limits<double>::infinity() : tolerance_) {}
 
   /// The largest errors of the triangles. Errors above the tolerance that the mesh was made for are
-  /// searched for again, against the whole mesh.
+  /// searched for again, against the whole mesh. Beside a pole the place may be outside of the clip
+  /// box, and the triangles in it near the surface.
   void report(const Surface& surface, const MeshRequest& request, const LeafTriangles& triangles,
               MeshReport& report) const {
     PlacedError worst;
@@ -182,7 +183,8 @@ class ErrorReporter {
       if (is_missing && !is_missing_part(k)) continue;
       const PlacedError error = error_of(k);
       if (error.distance > tolerance_ &&
-          (is_missing || is_covered(leaf) || is_of_surface(k) || has_edge(leaf))) {
+          (is_missing || is_covered(leaf) || is_of_surface(k) || has_edge(leaf) ||
+           (request.clip && leaf.state.leads_to_pole()))) {
         suspects.push_back(k);
       } else if (is_missing) {
         continue;
