@@ -9,6 +9,7 @@
 #include "mesh/distance/sampled_error.h"
 #include "mesh/error/error_indicator.h"
 #include "mesh/grid/grid.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/proof/report_proof.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
@@ -34,9 +35,10 @@ LeafProof::LeafProof(const Surface& surface, const Grid& grid, const CellTree& t
       threads_(threads),
       budget_(surface.bounds, share) {}
 
-std::vector<std::size_t> LeafProof::unproved_leaves(const ValidatedMesh& mesh) const {
-  std::vector<std::size_t> leaves;
-  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+std::vector<std::uint32_t> LeafProof::unproved_leaves(const ValidatedMesh& mesh) const {
+  std::vector<std::uint32_t> leaves;
+  leaves.reserve(mesh.leaves.size());  // room that is not used costs no memory
+  for (std::uint32_t k = 0; k < mesh.leaves.size(); ++k) {
     if (!is_proved(mesh, k)) leaves.push_back(k);
   }
   return leaves;
@@ -54,7 +56,7 @@ ProvedCells LeafProof::cells_of(const ValidatedMesh& mesh) const {
 }
 
 LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
-  const std::vector<std::size_t> leaves = unproved_leaves(mesh);
+  const std::vector<std::uint32_t> leaves = unproved_leaves(mesh);
   const Patches patches{leaves.size(), [&](std::size_t number) {
                           const std::size_t k = leaves[number];
                           Patch patch = patch_of(mesh.leaves[k], mesh.allowed[k], grid_, tree_);
@@ -97,19 +99,23 @@ std::vector<UnprovedBox> LeafProof::find_unproved(ValidatedMesh& mesh) {
 
 std::vector<Counterexample> LeafProof::refute(std::span<const UnprovedBox> boxes,
                                               ValidatedMesh& mesh) const {
-  std::vector<dvec2> middles;
-  for (const UnprovedBox& box : boxes) middles.push_back(box.middle);
-  const std::vector<dvec3> points = evaluate_positions(surface_, middles, threads_);
   std::vector<Counterexample> counterexamples;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const UnprovedBox& box = boxes[k];
-    const double distance =
-        distance_from(grid_, mesh.triangles.of(box.patch), box.middle, points[k]);
-    mesh.add(box.patch, distance, box.middle);
-    const bool exceeds_tolerance =
-        box.is_undefined ? is_visible_hole(box, mesh) : distance > mesh.allowed[box.patch];
-    if (exceeds_tolerance)
-      counterexamples.push_back({box.middle, points[k], box.size, box.bend, box.patch});
+  std::vector<dvec2> middles;
+  for (; !boxes.empty(); boxes = boxes.subspan(middles.size())) {
+    middles.clear();
+    for (const UnprovedBox& box : boxes.first(std::min(kKeptAtATime, boxes.size())))
+      middles.push_back(box.middle);
+    const std::vector<dvec3> points = evaluate_positions(surface_, middles, threads_);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const UnprovedBox& box = boxes[k];
+      const double distance =
+          distance_from(grid_, mesh.triangles.of(box.patch), box.middle, points[k]);
+      mesh.add(box.patch, distance, box.middle);
+      const bool exceeds_tolerance =
+          box.is_undefined ? is_visible_hole(box, mesh) : distance > mesh.allowed[box.patch];
+      if (exceeds_tolerance)
+        counterexamples.push_back({box.middle, points[k], box.size, box.bend, box.patch});
+    }
   }
   return counterexamples;
 }

@@ -60,7 +60,7 @@ class LeafProof {
 
  private:
   ProvedCells cells_of(const ValidatedMesh& mesh) const;
-  std::vector<std::size_t> unproved_leaves(const ValidatedMesh& mesh) const;
+  std::vector<std::uint32_t> unproved_leaves(const ValidatedMesh& mesh) const;
   std::vector<Counterexample> refute(std::span<const UnprovedBox> boxes, ValidatedMesh& mesh) const;
   bool is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mesh) const;
   void leave_domain_unproved(GapReason why);
