@@ -73,8 +73,8 @@ LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
   proof.bound = std::max(proof.bound, proof_ ? proof_->bound : 0);
   for (std::size_t k = 0; k < leaves.size(); ++k) {
     const std::size_t leaf = leaves[k];
-    if (proof.proved[k] != 0) mesh.proved[leaf].put_on(mesh.revision_of(leaf));
-    if (proof.rough[k] != 0) mesh.rough[leaf].put_on(mesh.revision_of(leaf));
+    if (proof.proved[k] != 0) mesh.marks[leaf].is_proved = true;
+    if (proof.rough[k] != 0) mesh.marks[leaf].is_rough = true;
   }
   for (UnprovedBox& box : proof.unproved_boxes) box.patch = leaves[box.patch];
   Result result{std::move(proof.unproved_boxes), {}};

@@ -41,11 +41,11 @@ class LeafProof {
   /// Whether a leaf with its triangles is proved, and its bounds leave no room for a tip that is
   /// off by more than the tolerance.
   bool is_proved_smooth(const ValidatedMesh& mesh, std::size_t leaf) const {
-    return is_proved(mesh, leaf) && !mesh.rough[leaf].is_on(mesh.revision_of(leaf));
+    return is_proved(mesh, leaf) && !mesh.marks[leaf].is_rough;
   }
   /// Whether a leaf with its triangles is proved.
   bool is_proved(const ValidatedMesh& mesh, std::size_t leaf) const {
-    return mesh.proved[leaf].is_on(mesh.revision_of(leaf));
+    return mesh.marks[leaf].is_proved;
   }
   /// Whether the work of proofs is done: more counterexamples are told, not mended.
   bool is_spent() const { return budget_.is_spent(true); }
