@@ -1,5 +1,6 @@
 #include "mesh/error/validated_mesh.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace saddle {
@@ -64,6 +65,11 @@ Array<Triangle> ValidatedMesh::all_triangles() const {
 }
 
 void ValidatedMesh::tidy_triangles() {
+  std::size_t count = 0;
+  const auto follows = [&count](const LeafTriangles::Range& range) {
+    return range.first == std::exchange(count, count + range.count);
+  };
+  if (std::ranges::all_of(triangles.ranges, follows) && count == triangles.all.size()) return;
   triangles.all = all_triangles();
   std::uint32_t first = 0;
   for (LeafTriangles::Range& range : triangles.ranges) {

@@ -50,8 +50,8 @@ struct ValidatedMesh {
   /// Makes room for what is stored of the leaves, and of an eighth more: later rounds add few.
   /// Room that is not used costs no memory.
   void reserve();
-  /// Stores the triangles of some leaves. Those of a revision that a leaf has keep its marks, as no
-  /// triangles do in place of none.
+  /// Stores the triangles of some leaves. A leaf keeps its marks if its triangles had the same
+  /// revision, or if it had none and has none.
   void put(std::span<const std::size_t> which, LeafTriangles newer, std::uint32_t revision);
   /// The triangles of all leaves, in their order, and no others.
   Array<Triangle> all_triangles() const;
