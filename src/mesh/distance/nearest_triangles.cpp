@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include <glm/common.hpp>
 
@@ -30,10 +31,10 @@ NearestTriangle nearest_point(const Grid& grid, const Triangle& triangle, const 
           nearest.distance};
 }
 
-NearestTriangles::NearestTriangles(const Grid& grid, std::span<const Triangle> triangles)
+NearestTriangles::NearestTriangles(const Grid& grid, Array<Triangle> triangles)
     : grid_(grid),
-      triangles_(triangles.begin(), triangles.end()),
-      leaves_(std::bit_ceil(triangles.size() / kTrianglesOfNode + 1)) {
+      triangles_(std::move(triangles)),
+      leaves_(std::bit_ceil(triangles_.size() / kTrianglesOfNode + 1)) {
   boxes_.resize(2 * leaves_ - 1);
   for (std::size_t k = 0; k < triangles_.size(); ++k) {
     for (const std::uint32_t corner : triangles_[k])

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "base/bounds.h"
@@ -24,7 +23,7 @@ NearestTriangle nearest_point(const Grid& grid, const Triangle& triangle, const 
 
 class NearestTriangles {
  public:
-  NearestTriangles(const Grid& grid, std::span<const Triangle> triangles);
+  NearestTriangles(const Grid& grid, Array<Triangle> triangles);
 
   /// A triangle within `enough` of a position; if there is none, the nearest, or `known`, if that
   /// is nearer.
@@ -32,7 +31,7 @@ class NearestTriangles {
 
  private:
   const Grid& grid_;
-  std::vector<Triangle> triangles_;
+  Array<Triangle> triangles_;
   /// A heap: node k is around nodes 2 k + 1 and 2 k + 2; the last leaves_ nodes hold triangles.
   std::vector<Bounds> boxes_;
   std::size_t leaves_ = 1;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "base/numbers.h"
 #include "mesh/grid/grid.h"
 
 namespace saddle {
@@ -19,8 +20,7 @@ struct SampledError {
   bool on_crease = false;  ///< measured from a crease's chord
   /// Whether a boundary or a jump is farther than the tolerance from the chord in its place.
   bool is_off_chord = false;
-  /// The place of `distance`; nothing at a validation place of a plain leaf, or of the mesh.
-  std::optional<dvec2> uv = {};
+  std::uint32_t place = kNoIndex;  ///< of `distance`: its number in ValidatedMesh
 };
 /// The error at `point`, which is at (u, v). The distance is that from the triangle around (u, v)
 /// if the point is straight above it, else from the nearest triangle. The distance of the

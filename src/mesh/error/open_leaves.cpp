@@ -70,9 +70,8 @@ std::vector<Counterexample> OpenLeaves::refute(const std::function<bool(std::siz
                                                ValidatedMesh& mesh) {
   std::vector<SearchedPart> parts;
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
-    const std::uint32_t revision = mesh.revision_of(k);
-    if (mesh.triangles.of(k).empty() || mesh.searched[k].is_on(revision) || !is_open(k)) continue;
-    mesh.searched[k].put_on(revision);
+    if (mesh.triangles.of(k).empty() || mesh.marks[k].is_searched || !is_open(k)) continue;
+    mesh.marks[k].is_searched = true;
     parts.push_back(part_of(mesh, k, mesh.triangles.of(k), grid_, tree_));
     parts.back().scale = 1 / mesh.allowed[k];
     parts.back().number = k;

@@ -216,7 +216,11 @@ void Validator::validate_one_by_one(ValidatedMesh& mesh, std::span<const std::si
     if (!seen.triangles && !crease) {
       d.distance = distance_from(grid_, of_leaf, place, points[s].position);
     }
-    if (d.distance > worst.distance) worst = {d.distance, worst.degrees, d.on_crease, false, place};
+    if (d.distance > worst.distance) {
+      mesh.add(which[k], d.distance, place);
+      worst.on_crease = d.on_crease;
+      worst.is_off_chord = false;
+    }
     if (!beside_cut) worst.degrees = std::max(worst.degrees, d.degrees);
   }
 }

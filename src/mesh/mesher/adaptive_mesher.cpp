@@ -89,8 +89,7 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
                                     : Until::Done;
   if (grid_.cell_count() <= limits_.leaves_at_a_time)
     tree_.geometry().add_middles(request_.threads);
-  refine({root_leaves(grid_), std::move(counterexamples), true},
-         {until, limits_.triangles.part(kFirst)});
+  refine({{}, std::move(counterexamples), true}, {until, limits_.triangles.part(kFirst)});
   for (int round = 0; !stops_early(); ++round) {
     if (round == kMostRounds) {
       if (certifies()) find_features();  // they count as errors
@@ -239,7 +238,11 @@ void AdaptiveMesher::find_far_vertices() {
 /// Subdivides active leaves, follows the features found on their sides, and validates the leaves
 /// that are new or cut.
 void AdaptiveMesher::refine(ActiveLeaves active, const SubdivisionGoal& goal) {
-  landmarks_.append_missed(active.leaves, active.counterexamples);
+  if (landmarks_.any()) {
+    const std::vector<Leaf> roots =
+        root_leaves(grid_, 0, active.are_roots ? grid_.cell_count() : 0);
+    landmarks_.append_missed(active.are_roots ? roots : active.leaves, active.counterexamples);
+  }
   append(subdivide(std::move(active), oscillation(), limits_, goal, grid_, tree_));
   find_far_vertices();
   if (stops_early()) return;

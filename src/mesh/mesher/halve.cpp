@@ -13,14 +13,13 @@ bool has_defined_corner(const Leaf& leaf, const CellTree& tree) {
   return has;
 }
 
-std::vector<Leaf> root_leaves(const Grid& grid) {
+std::vector<Leaf> root_leaves(const Grid& grid, std::size_t first, std::size_t end) {
   std::vector<Leaf> leaves;
-  leaves.reserve(grid.cell_count());
-  for (std::uint32_t j = 0; j < grid.cells_v; ++j) {
-    for (std::uint32_t i = 0; i < grid.cells_u; ++i) {
-      leaves.push_back(
-          {{i * kCellUnit, j * kCellUnit}, {(i + 1) * kCellUnit, (j + 1) * kCellUnit}});
-    }
+  leaves.reserve(end - first);
+  for (std::size_t cell = first; cell < end; ++cell) {
+    const auto i = static_cast<std::uint32_t>(cell % grid.cells_u);
+    const auto j = static_cast<std::uint32_t>(cell / grid.cells_u);
+    leaves.push_back({{i * kCellUnit, j * kCellUnit}, {(i + 1) * kCellUnit, (j + 1) * kCellUnit}});
   }
   return leaves;
 }

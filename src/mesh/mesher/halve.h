@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -12,8 +13,8 @@ namespace saddle {
 class CellTree;
 struct Grid;
 
-/// The cells of the root grid.
-std::vector<Leaf> root_leaves(const Grid& grid);
+/// Cells [first, end) of the root grid.
+std::vector<Leaf> root_leaves(const Grid& grid, std::size_t first, std::size_t end);
 
 /// The two halves of a leaf whose samples are known; their new corners go into use. Empty if the
 /// leaf is one unit wide.

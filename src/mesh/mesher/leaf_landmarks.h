@@ -25,6 +25,7 @@ class LeafLandmarks {
   LeafLandmarks(const std::vector<Landmark>& all, const std::optional<Bounds>& clip,
                 const Grid& grid, const CellTree& tree);
 
+  bool any() const { return !places_.empty(); }
   /// Appends the landmarks in leaves that the mesh misses, as counterexamples. Before the first
   /// measure() the mesh misses every point.
   void append_missed(std::span<const Leaf> leaves,

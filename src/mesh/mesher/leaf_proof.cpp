@@ -9,6 +9,7 @@
 #include "mesh/distance/sampled_error.h"
 #include "mesh/error/error_indicator.h"
 #include "mesh/grid/grid.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/proof/report_proof.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
@@ -34,9 +35,10 @@ LeafProof::LeafProof(const Surface& surface, const Grid& grid, const CellTree& t
       threads_(threads),
       budget_(surface.bounds, share) {}
 
-std::vector<std::size_t> LeafProof::unproved_leaves(const ValidatedMesh& mesh) const {
-  std::vector<std::size_t> leaves;
-  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+std::vector<std::uint32_t> LeafProof::unproved_leaves(const ValidatedMesh& mesh) const {
+  std::vector<std::uint32_t> leaves;
+  leaves.reserve(mesh.leaves.size());  // room that is not used costs no memory
+  for (std::uint32_t k = 0; k < mesh.leaves.size(); ++k) {
     if (!is_proved(mesh, k)) leaves.push_back(k);
   }
   return leaves;
@@ -54,7 +56,7 @@ ProvedCells LeafProof::cells_of(const ValidatedMesh& mesh) const {
 }
 
 LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
-  const std::vector<std::size_t> leaves = unproved_leaves(mesh);
+  const std::vector<std::uint32_t> leaves = unproved_leaves(mesh);
   const Patches patches{leaves.size(), [&](std::size_t number) {
                           const std::size_t k = leaves[number];
                           Patch patch = patch_of(mesh.leaves[k], mesh.allowed[k], grid_, tree_);
@@ -71,12 +73,12 @@ LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
   proof.bound = std::max(proof.bound, proof_ ? proof_->bound : 0);
   for (std::size_t k = 0; k < leaves.size(); ++k) {
     const std::size_t leaf = leaves[k];
-    if (proof.proved[k] != 0) mesh.proved[leaf].put_on(mesh.revision_of(leaf));
-    if (proof.rough[k] != 0) mesh.rough[leaf].put_on(mesh.revision_of(leaf));
+    if (proof.proved[k] != 0) mesh.marks[leaf].is_proved = true;
+    if (proof.rough[k] != 0) mesh.marks[leaf].is_rough = true;
   }
+  for (UnprovedBox& box : proof.unproved_boxes) box.patch = leaves[box.patch];
   Result result{std::move(proof.unproved_boxes), {}};
-  result.counterexamples = refute(result.unproved_boxes, leaves, measure, mesh);
-  for (UnprovedBox& box : result.unproved_boxes) box.patch = leaves[box.patch];
+  result.counterexamples = refute(result.unproved_boxes, measure, mesh);
   for (const BoxMeasure::Found& found : measure.found()) {
     result.counterexamples.push_back(found.counterexample);
     const std::size_t leaf = leaves[found.counterexample.cell];
@@ -95,40 +97,41 @@ std::vector<UnprovedBox> LeafProof::find_unproved(ValidatedMesh& mesh) {
   return boxes;
 }
 
-/// Beside a feature the nearest triangle may be a neighbour's. `leaves`: the numbers of the
-/// patches.
+/// Beside a feature the nearest triangle may be a neighbour's.
 std::vector<Counterexample> LeafProof::refute(std::span<const UnprovedBox> boxes,
-                                              std::span<const std::size_t> leaves,
                                               BoxMeasure& measure, ValidatedMesh& mesh) const {
-  std::vector<dvec2> middles;
-  for (const UnprovedBox& box : boxes) middles.push_back(box.middle);
-  const std::vector<dvec3> points = evaluate_positions(surface_, middles, threads_);
   std::vector<Counterexample> counterexamples;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const UnprovedBox& box = boxes[k];
-    const std::size_t leaf = leaves[box.patch];
-    double distance = distance_from(grid_, mesh.triangles.of(leaf), box.middle, points[k]);
-    if (distance > mesh.allowed[leaf]) distance = measure.distance_from_mesh(points[k], distance);
-    mesh.add(leaf, distance, box.middle);
-    const bool exceeds_tolerance =
-        box.is_undefined ? is_visible_hole(box.size, leaf, mesh) : distance > mesh.allowed[leaf];
-    if (exceeds_tolerance)
-      counterexamples.push_back({box.middle, points[k], box.size, box.bend, leaf});
+  std::vector<dvec2> middles;
+  for (; !boxes.empty(); boxes = boxes.subspan(middles.size())) {
+    middles.clear();
+    for (const UnprovedBox& box : boxes.first(std::min(kKeptAtATime, boxes.size())))
+      middles.push_back(box.middle);
+    const std::vector<dvec3> points = evaluate_positions(surface_, middles, threads_);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const UnprovedBox& box = boxes[k];
+      const double allowed = mesh.allowed[box.patch];
+      double distance = distance_from(grid_, mesh.triangles.of(box.patch), box.middle, points[k]);
+      if (distance > allowed) distance = measure.distance_from_mesh(points[k], distance);
+      mesh.add(box.patch, distance, box.middle);
+      const bool exceeds_tolerance =
+          box.is_undefined ? is_visible_hole(box, mesh) : distance > allowed;
+      if (exceeds_tolerance)
+        counterexamples.push_back({box.middle, points[k], box.size, box.bend, box.patch});
+    }
   }
   return counterexamples;
 }
 
-/// Whether a box of parameters in a leaf, in which the surface is undefined, shows in the mesh.
-bool LeafProof::is_visible_hole(const dvec2& size_of_hole, std::size_t number,
-                                const ValidatedMesh& mesh) const {
-  const Leaf& leaf = mesh.leaves[number];
+/// Whether a box in which the surface is undefined shows in the mesh.
+bool LeafProof::is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mesh) const {
+  const Leaf& leaf = mesh.leaves[box.patch];
   const dvec2 size =
       glm::abs(tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low));
-  const dvec2 part = size_of_hole / size;
+  const dvec2 part = box.size / size;
   const auto p = corner_positions(leaf, tree_);
   const double along_u = std::max(glm::distance(p[0], p[1]), glm::distance(p[3], p[2]));
   const double along_v = std::max(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));
-  return std::max(part.x * along_u, part.y * along_v) > kVisibleHole * mesh.allowed[number];
+  return std::max(part.x * along_u, part.y * along_v) > kVisibleHole * mesh.allowed[box.patch];
 }
 
 void LeafProof::leave_unproved(std::span<const Leaf> leaves) {

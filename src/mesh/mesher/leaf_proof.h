@@ -42,11 +42,11 @@ class LeafProof {
   /// Whether a leaf with its triangles is proved, and its bounds leave no room for a tip that is
   /// off by more than the tolerance.
   bool is_proved_smooth(const ValidatedMesh& mesh, std::size_t leaf) const {
-    return is_proved(mesh, leaf) && !mesh.rough[leaf].is_on(mesh.revision_of(leaf));
+    return is_proved(mesh, leaf) && !mesh.marks[leaf].is_rough;
   }
   /// Whether a leaf with its triangles is proved.
   bool is_proved(const ValidatedMesh& mesh, std::size_t leaf) const {
-    return mesh.proved[leaf].is_on(mesh.revision_of(leaf));
+    return mesh.marks[leaf].is_proved;
   }
   /// Whether the work of proofs is done: only some of the worst places are searched.
   bool is_spent() const { return budget_.is_spent(true); }
@@ -61,11 +61,10 @@ class LeafProof {
 
  private:
   ProvedCells cells_of(const ValidatedMesh& mesh) const;
-  std::vector<std::size_t> unproved_leaves(const ValidatedMesh& mesh) const;
-  std::vector<Counterexample> refute(std::span<const UnprovedBox> boxes,
-                                     std::span<const std::size_t> leaves, BoxMeasure& measure,
+  std::vector<std::uint32_t> unproved_leaves(const ValidatedMesh& mesh) const;
+  std::vector<Counterexample> refute(std::span<const UnprovedBox> boxes, BoxMeasure& measure,
                                      ValidatedMesh& mesh) const;
-  bool is_visible_hole(const dvec2& size, std::size_t leaf, const ValidatedMesh& mesh) const;
+  bool is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mesh) const;
   void leave_domain_unproved(GapReason why);
   void name_gaps(const MeshReport& report);
 

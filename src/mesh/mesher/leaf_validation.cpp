@@ -37,10 +37,18 @@ void LeafValidation::validate_new(std::vector<std::size_t> changed) {
   const auto& leaves = mesh_.leaves;
   const std::size_t validated = mesh_.sampled_errors.size();
   std::erase_if(changed, [validated](std::size_t k) { return k >= validated; });
+  mesh_.reserve();
   for (std::size_t k = mesh_.allowed.size(); k < leaves.size(); ++k) {
     mesh_.allowed.push_back(tolerance_of(leaves[k], limits_.tolerance, tree_));
   }
-  for (std::size_t k = validated; k < leaves.size(); ++k) changed.push_back(k);
+  // The distance of a landmark is that from all leaves around it.
+  const std::size_t at_a_time = landmarks_.any() ? leaves.size() : limits_.leaves_at_a_time;
+  for (std::size_t k = validated; k < leaves.size(); ++k) {
+    changed.push_back(k);
+    if (changed.size() < at_a_time) continue;
+    validate(changed, SingularCorners());
+    changed.clear();
+  }
   validate(changed, SingularCorners());
 }
 
@@ -64,9 +72,15 @@ bool LeafValidation::revalidate() {
   return true;
 }
 
-/// The error of normals counts only in leaves thicker than kSeenTurn tolerances.
 void LeafValidation::validate(std::span<const std::size_t> which, const SingularCorners& singular) {
   const std::uint32_t now = tree_.revisions().next();
+  validate(which, singular, now, now);
+}
+
+/// The error of normals counts only in leaves thicker than kSeenTurn tolerances. `made`: the
+/// revision of the triangles.
+void LeafValidation::validate(std::span<const std::size_t> which, const SingularCorners& singular,
+                              std::uint32_t now, std::uint32_t made) {
   for (const std::size_t k : which) mesh_.leaves[k].validated_at = now;
   LeafTriangles triangles = triangulate_leaves(mesh_.leaves, which, singular, grid_, tree_);
   Validator validator(surface_, grid_, tree_, limits_);
@@ -74,7 +88,7 @@ void LeafValidation::validate(std::span<const std::size_t> which, const Singular
   evaluations_ += validator.evaluations();
   tree_.effort().add_places(validator.evaluations());
   tree_.effort().looks() += validator.looks();
-  mesh_.put(which, std::move(triangles), now);
+  mesh_.put(which, std::move(triangles), made);
   landmarks_.measure(which, mesh_);
   for (const std::size_t k : which) {
     const bool is_thin =
@@ -90,9 +104,8 @@ bool LeafValidation::validate_singular() {
   MeshReport unused;
   const SingularCorners singular(mesh_.leaves, tree_, limits_.threads, normal_limits_, grid_,
                                  unused);
-  validate(singular.leaves(), singular);
   // The corners with limits are removed again, and so the triangles at them are out of date.
-  for (const std::size_t k : singular.leaves()) mesh_.made[k] = 0;
+  validate(singular.leaves(), singular, tree_.revisions().next(), RevisionClock::kNever);
   mesh.position.resize(count);
   mesh.normal.resize(count);
   mesh.uv.resize(count);

@@ -52,6 +52,8 @@ class LeafValidation {
 
  private:
   void validate(std::span<const std::size_t> which, const SingularCorners& singular);
+  void validate(std::span<const std::size_t> which, const SingularCorners& singular,
+                std::uint32_t now, std::uint32_t made);
   bool has_lasting_triangles(std::size_t leaf) const;
 
   const Surface& surface_;

@@ -55,7 +55,8 @@ struct MeshRequest {
   unsigned threads = 0;  ///< 0: all
 
   /// Leaves whose samples are in memory at a time: these take 8 MB. If a generation has more, the
-  /// samples of its leaves are forgotten, which would be most of the memory of a fine mesh.
+  /// samples of its leaves are forgotten, which would be most of the memory of a fine mesh. As many
+  /// are validated at a time.
   std::size_t leaves_at_a_time = std::size_t{1} << 15;
 };
 

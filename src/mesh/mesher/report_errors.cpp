@@ -225,14 +225,14 @@ class ErrorReporter {
     const double known = mesher_.crosses_box(leaf) ? 0 : leaf.known_error * mesh_.allowed[k];
     const double error = scale_of(k) * std::max(sampled.distance, known);
     const dvec2 middle = tree_.vertices().parameters(leaf.middle());
-    return {error, sampled.distance >= known ? sampled.uv.value_or(middle) : middle};
+    return {error, sampled.distance >= known ? mesh_.error_place(k).value_or(middle) : middle};
   }
 
   /// Whether the error of a leaf is that of a place of the surface. Places of the mesh at its jumps
   /// are searched for among those of its triangles.
   bool is_of_surface(std::size_t k) const {
     const Leaf& leaf = mesh_.leaves[k];
-    return mesh_.sampled_errors[k].uv && !leaf.state.is_on_boundary() && !leaf.state.oscillates() &&
+    return mesh_.error_place(k) && !leaf.state.is_on_boundary() && !leaf.state.oscillates() &&
            !mesher_.landmarks().misses_hole(leaf);
   }
 
@@ -250,7 +250,7 @@ class ErrorReporter {
   /// Whether a leaf without triangles, on a boundary, has a place of the surface.
   bool is_missing_part(std::size_t k) const {
     const Leaf& leaf = mesh_.leaves[k];
-    return mesh_.sampled_errors[k].uv && leaf.state.is_on_boundary() && !leaf.state.is_left_out();
+    return mesh_.error_place(k) && leaf.state.is_on_boundary() && !leaf.state.is_left_out();
   }
 
   /// Whether the surface ends in a leaf: triangles of other leaves may be nearer to it than its
@@ -319,8 +319,8 @@ class ErrorReporter {
     const SampledError& sampled = mesh_.sampled_errors[k];
     const dvec2 low = tree_.vertices().parameters(leaf.low);
     const dvec2 high = tree_.vertices().parameters(leaf.high);
-    if (sampled.uv) {
-      places.push_back(*sampled.uv);
+    if (const auto place = mesh_.error_place(k)) {
+      places.push_back(*place);
     } else {
       for (const dvec2& part : validation_places(leaf)) places.push_back(glm::mix(low, high, part));
     }

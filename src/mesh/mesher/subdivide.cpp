@@ -58,17 +58,57 @@ class Subdivider {
   Subdivider(const ActiveLeaves& active, const CellLimits& limits, const SubdivisionGoal& goal,
              const Grid& grid, Oscillation known_oscillation, CellTree& tree)
       : counterexamples_(active.counterexamples),
-        may_forget_(active.are_all),
+        may_forget_(active.are_roots),
+        roots_(active.are_roots ? grid.cell_count() : 0),
         limits_(limits),
         goal_(goal),
         grid_(grid),
         tree_(tree),
         indicator_(limits, grid, tree),
         known_oscillation_(std::move(known_oscillation)),
-        oscillation_(grid, limits.share) {}
+        oscillation_(grid, limits.share) {
+    if (!active.leaves.empty()) next_.push_back(part_of(active.leaves, 0));
+  }
 
-  bool has_active() const { return !next_.empty(); }
+  bool has_active() const { return roots_ > 0 || !next_.empty(); }
 
+  /// Estimates the errors of the active leaves and replaces them by the next generation: the halves
+  /// of the leaves that fail. Where they are many, some are estimated at a time, and their samples
+  /// forgotten.
+  void advance() {
+    const std::size_t roots = std::exchange(roots_, 0);
+    Generation generation = std::exchange(next_, {});
+    oscillation_.clear();
+    const std::size_t at_a_time = limits_.leaves_at_a_time;
+    forgets_ = roots > at_a_time || generation.size() > 1;
+    result_.has_forgotten = result_.has_forgotten || forgets_;
+    // Room that is not used costs no memory.
+    const std::size_t count = result_.leaves.size() + roots + generation.size() * at_a_time;
+    if (forgets_ && result_.leaves.capacity() < count) result_.leaves.reserve(2 * count);
+    for (std::size_t first = 0; first < roots; first += at_a_time) {
+      Part part = part_of(root_leaves(grid_, first, std::min(first + at_a_time, roots)), first);
+      advance(part);
+    }
+    for (; !generation.empty(); generation.pop_front()) advance(generation.front());
+  }
+
+  Subdivision take_result() { return std::move(result_); }
+
+ private:
+  /// `first`: the number of the first leaf among the active ones, as counterexamples have them.
+  Part part_of(std::vector<Leaf> leaves, std::size_t first) const {
+    Part part{std::move(leaves), {}};
+    part.origins.resize(part.leaves.size());
+    for (Leaf& leaf : part.leaves) leaf.followed_at = 0;
+    for (std::uint32_t k = 0; k < counterexamples_.size(); ++k) {
+      const std::size_t cell = counterexamples_[k].cell;
+      if (cell >= first && cell < first + part.leaves.size())
+        part.origins[cell - first].counterexamples.push_back(k);
+    }
+    return part;
+  }
+
+  /// Adds a leaf to the next generation.
   void add_active(const Leaf& leaf, Origin origin) {
     const bool is_full =
         may_forget_ && !next_.empty() && next_.back().leaves.size() == limits_.leaves_at_a_time;
@@ -77,23 +117,6 @@ class Subdivider {
     next_.back().origins.push_back(std::move(origin));
   }
 
-  /// Estimates the errors of the active leaves and replaces them by the next generation: the halves
-  /// of the leaves that fail. Where they are many, some are estimated at a time, and their samples
-  /// forgotten.
-  void advance() {
-    Generation generation = std::exchange(next_, {});
-    oscillation_.clear();
-    forgets_ = generation.size() > 1;
-    // Room that is not used costs no memory.
-    if (forgets_)
-      result_.leaves.reserve(result_.leaves.size() + limits_.leaves_at_a_time * generation.size());
-    result_.has_forgotten = result_.has_forgotten || forgets_;
-    for (; !generation.empty(); generation.pop_front()) advance(generation.front());
-  }
-
-  Subdivision take_result() { return std::move(result_); }
-
- private:
   void keep_passing(Leaf leaf, float distance) {
     leaf.stagnation = leaf.normal_stagnation = 0;
     leaf.known_error = distance;
@@ -512,6 +535,7 @@ class Subdivider {
 
   std::span<const Counterexample> counterexamples_;
   const bool may_forget_;  // no other leaves have samples
+  std::size_t roots_;      // active root cells, which are all
   bool forgets_ = false;   // leaves that pass and halves keep their corners alone
   const CellLimits& limits_;
   SubdivisionGoal goal_;
@@ -528,17 +552,8 @@ class Subdivider {
 
 Subdivision subdivide(ActiveLeaves active, Oscillation known_oscillation, const CellLimits& limits,
                       const SubdivisionGoal& goal, const Grid& grid, CellTree& tree) {
-  const std::vector<Counterexample>& counterexamples = active.counterexamples;
   Subdivider subdivider(active, limits, goal, grid, std::move(known_oscillation), tree);
-  std::vector<Origin> origins(active.leaves.size());
-  for (std::uint32_t k = 0; k < counterexamples.size(); ++k)
-    origins[counterexamples[k].cell].counterexamples.push_back(k);
-  for (std::size_t k = 0; k < active.leaves.size(); ++k) {
-    active.leaves[k].followed_at = 0;
-    subdivider.add_active(active.leaves[k], std::move(origins[k]));
-  }
   active.leaves = std::vector<Leaf>();
-  origins = std::vector<Origin>();
   // One generation follows the one that finds poles: they may be on the sides of a few cells only.
   for (bool has_poles = false; subdivider.has_active(); has_poles = tree.has_poles()) {
     subdivider.advance();

@@ -41,7 +41,7 @@ struct Subdivision {
 struct ActiveLeaves {
   std::vector<Leaf> leaves;
   std::vector<Counterexample> counterexamples;
-  bool are_all = false;  ///< the mesh has no other leaves
+  bool are_roots = false;  ///< all cells of the root grid, which are not listed
 };
 
 /// Halves active leaves in one direction at a time, until each one passes its error indicator and

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <memory>
 #include <utility>
 
 #include "base/numbers.h"
@@ -41,14 +43,11 @@ class Certifier {
   Certifier(const Surface& surface, const RootLines& root, const Patches& patches,
             const std::optional<Bounds>& clip, const MeasureBoxes& measure, ProofBudget& budget)
       : root_(root),
-        cells_u_(root.u.size() - 1),
-        cells_v_(root.v.size() - 1),
         patches_(patches),
         clip_(clip),
         measure_(measure),
         budget_(budget),
-        enclosure_(surface, Bounded::SecondDerivatives),
-        patches_of_(cells_u_ * cells_v_, patches) {
+        enclosure_(surface, Bounded::SecondDerivatives) {
     result_.proved.assign(patches.size(), 1);
     result_.rough.assign(patches.size(), 0);
   }
@@ -57,8 +56,9 @@ class Certifier {
     gather_demands();
     prove_cells();
     prove_parts();
-    for (const auto& [patch, gap] : gaps_) {
-      if (!is_refuted(patch)) result_.proof_gaps.push_back(gap);
+    for (const Gap& gap : gaps_) {
+      if (!is_refuted(gap.patch))
+        result_.proof_gaps.push_back({gap.why, gap.box.low, gap.box.high});
     }
     for (std::uint32_t k = 0; k < refuted_.size(); ++k) {
       if (!is_refuted(k)) continue;
@@ -73,43 +73,30 @@ class Certifier {
   /// A part of a patch.
   struct Part {
     std::uint32_t patch;
+    GapReason why;  ///< of the last box without a proof that held it
     ParameterBox box;
-    GapReason why = GapReason::Work;  ///< of the last box without a proof that held it
     /// Bounds over a box that holds it, narrow enough: only its points decide.
-    std::optional<BoxBounds> known = {};
+    std::shared_ptr<const BoxBounds> known = {};
   };
 
-  /// The largest size and the strictest tolerance of some patches.
-  struct Demand {
-    dvec2 size{0};
-    double eps = kInfinity;
-
-    void add(const Demand& other) {
-      size = glm::max(size, other.size);
-      eps = std::min(eps, other.eps);
-    }
-    bool is_none() const { return size == dvec2(0); }
+  /// A part without a proof.
+  struct Gap {
+    std::uint32_t patch;
+    GapReason why;
+    ParameterBox box;
   };
-  Demand demand(const RootCells& cells) const {
-    Demand demand;
-    for (std::size_t j = cells.first_v; j < cells.end_v; ++j) {
-      for (std::size_t i = cells.first_u; i < cells.end_u; ++i) {
-        demand.add(of_cells_[cell(i, j)]);
-      }
-    }
-    return demand;
-  }
+
   void gather_demands() {
-    of_cells_.resize(cells_u_ * cells_v_);
-    for (std::size_t cell = 0; cell < of_cells_.size(); ++cell) {
-      for (const std::uint32_t k : patches_of_.of(cell)) {
+    cells_.emplace(root_, patches_);
+    for (std::size_t cell = 0; cell < cells_->count(); ++cell) {
+      for (const std::uint32_t k : cells_->patches_of(cell)) {
         const Patch patch = patches_[k];
         if (patch.cut_by) {
           if (!patch.jump_line || !append_sides_of_jump(k)) add_gap(*patch.cut_by, k, patch.box);
         } else if (patch.is_measured) {
-          parts_.push_back({k, patch.box});
+          parts_.push_back({k, GapReason::Work, patch.box});
         } else {
-          of_cells_[cell].add({patch.box.size(), patch.allowed});
+          cells_->add(cell, {patch.box.size(), patch.allowed});
         }
       }
     }
@@ -132,7 +119,7 @@ class Certifier {
       beside[0].low[axis] = below;
       beside[1].high[axis] = above;
       if (bounds_over(beside[0]).broken || bounds_over(beside[1]).broken) continue;
-      for (const ParameterBox& side : sides) parts_.push_back({k, side});
+      for (const ParameterBox& side : sides) parts_.push_back({k, GapReason::Work, side});
       return true;
     }
     return false;
@@ -156,14 +143,14 @@ class Certifier {
   }
 
   void add_gap(GapReason why, std::uint32_t patch, const ParameterBox& box) {
-    gaps_.push_back({patch, {why, box.low, box.high}});
+    gaps_.push_back({patch, why, box});
     result_.proved[patch] = 0;
   }
 
   /// Proves many cells of the root grid at a time. Patches of single cells without a proof become
   /// parts_.
   void prove_cells() {
-    BoxSubdivision<RootCells> search({{0, cells_u_, 0, cells_v_}});
+    BoxSubdivision<RootCells> search({all_cells(root_)});
     int tested = 0;   // levels in a row of which little was proved
     int skipped = 0;  // levels since
     while (!search.open().empty()) {
@@ -175,22 +162,23 @@ class Certifier {
       skipped = is_tested ? 0 : skipped + 1;
       search.halve_each(halve_cells);
     }
+    cells_.reset();
   }
 
   ProofOutcome prove(const RootCells& cells, bool is_tested) {
-    const Demand of = demand(cells);
+    const Demand of = cells_->demand(cells);
     if (of.is_none()) return ProofOutcome::Proved;
     const bool is_last = cells.is_one();
-    const bool is_patch = is_last && patches_of_.of(cell(cells.first_u, cells.first_v)).size() == 1;
+    const bool is_patch = is_last && cells_->patches_of(cells.first_u, cells.first_v).size() == 1;
     if (!budget_.is_spent(true) && is_tested && !is_patch) {
       const BoxBounds bounds = bounds_over(cells.box_in(root_));
-      if (!bounds.broken && is_proved(bounds.arc(of.size), of.eps)) return ProofOutcome::Proved;
+      if (!bounds.broken && is_proved(bounds.arc(of.size), of.allowed)) return ProofOutcome::Proved;
       if (is_unseen(bounds)) return ProofOutcome::Proved;
     }
     if (!is_last) return ProofOutcome::Open;
-    for (const std::uint32_t k : patches_of_.of(cell(cells.first_u, cells.first_v))) {
+    for (const std::uint32_t k : cells_->patches_of(cells.first_u, cells.first_v)) {
       const Patch patch = patches_[k];
-      if (!patch.cut_by && !patch.is_measured) parts_.push_back({k, patch.box});
+      if (!patch.cut_by && !patch.is_measured) parts_.push_back({k, GapReason::Work, patch.box});
     }
     return ProofOutcome::Refuted;
   }
@@ -201,39 +189,52 @@ class Certifier {
     for (depth_ = 0; !parts_.empty(); ++depth_) {
       is_short_ = depth_ == 0 || kShort * parts_.size() <= patches_.size() ||
                   (depth_ <= kMaxBrokenDepth && gaps_.empty());
-      next_.clear();
-      bounded_.clear();
-      measured_parts_.clear();
       const int most_halvings = broken_ <= kFewBoxes ? 2 * kHalvingsOfSecondOrder : kMaxBrokenDepth;
       broken_ = 0;
-      for (Part& part : parts_) prove(part, most_halvings);
-      const std::vector<ProofOutcome> measured = measure_(bounded_);
-      for (std::size_t k = 0; k < measured.size(); ++k) {
-        const Part& part = measured_parts_[k];
-        if (measured[k] == ProofOutcome::Refuted) refute(part);
-        if (measured[k] == ProofOutcome::Proved)
-          result_.bound = std::max(result_.bound, kProofFactor * patches_[part.patch].allowed);
-        if (measured[k] == ProofOutcome::Open) {
-          halve(part, part.known->slope * part.box.size(), 1);
-        }
+      for (Part& part : parts_) {
+        prove(part, most_halvings);
+        if (bounded_.size() == kKeptAtATime) measure();
       }
-      std::erase_if(next_, [this](const Part& part) { return is_refuted(part.patch); });
-      parts_.swap(next_);
+      measure();
+      parts_.clear();
+      for (const std::uint32_t patch : newly_refuted_) refute(patch);
+      newly_refuted_.clear();
+      for (std::vector<Part>* const halves : {&next_, &next_of_measured_}) {
+        std::ranges::copy_if(*halves, std::back_inserter(parts_),
+                             [this](const Part& part) { return !is_refuted(part.patch); });
+        halves->clear();
+      }
     }
     descend();
   }
 
-  /// Bounds of up to `ranked` untested parts, negative and in tolerances, with the parts' numbers:
-  /// the largest bounds first.
+  /// Measures the points of bounded boxes. Patches that they refute stay in this level: its result
+  /// does not depend on which boxes are measured together.
+  void measure() {
+    const std::vector<ProofOutcome> measured = measure_(bounded_);
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+      const Part& part = measured_parts_[k];
+      if (measured[k] == ProofOutcome::Refuted) newly_refuted_.push_back(part.patch);
+      if (measured[k] == ProofOutcome::Proved)
+        result_.bound = std::max(result_.bound, kProofFactor * patches_[part.patch].allowed);
+      if (measured[k] == ProofOutcome::Open)
+        halve(part, part.known->slope * part.box.size(), 1, next_of_measured_);
+    }
+    bounded_.clear();
+    measured_parts_.clear();
+  }
+
+  /// Bounds of up to `ranked` untested parts, negative and in tolerances, with the numbers of their
+  /// gaps: the largest bounds first.
   std::vector<std::pair<double, std::size_t>> worst_untested(std::size_t ranked) {
     std::vector<std::pair<double, std::size_t>> worst;
     for (std::size_t k = 0; k < ranked; ++k) {
-      const std::size_t number = k * untested_.size() / ranked;
-      const Part& part = untested_[number];
-      const BoxBounds bounds = bounds_over(part.box);
-      if (bounds.broken || patches_[part.patch].cut_by) continue;
-      const double arc = bounds.arc(part.box.size());
-      worst.emplace_back(std::isnan(arc) ? 0 : -arc / patches_[part.patch].allowed, number);
+      const std::size_t number = untested_[k * untested_.size() / ranked];
+      const Gap& gap = gaps_[number];
+      const BoxBounds bounds = bounds_over(gap.box);
+      if (bounds.broken || patches_[gap.patch].cut_by) continue;
+      const double arc = bounds.arc(gap.box.size());
+      worst.emplace_back(std::isnan(arc) ? 0 : -arc / patches_[gap.patch].allowed, number);
     }
     std::ranges::sort(worst);
     return worst;
@@ -247,23 +248,22 @@ class Certifier {
     const std::size_t ranked = std::min({kInBatch, boxes, untested_.size()});
     const auto worst = worst_untested(ranked);
     for (std::size_t k = 0; k < std::min(descents, worst.size()); ++k) {
-      Part part = untested_[worst[k].second];
-      const Bounds corner = bounds_over({part.box.low, part.box.low}).hull;
-      BoxBounds bounds = bounds_over(part.box);
+      auto [patch, why, box] = gaps_[worst[k].second];
+      const Bounds corner = bounds_over({box.low, box.low}).hull;
+      BoxBounds bounds = bounds_over(box);
       for (int depth = 0; depth < kHalvingsToNearly && !bounds.is_undefined; ++depth) {
-        const dvec2 way = bounds.slope * part.box.size();
+        const dvec2 way = bounds.slope * box.size();
         const bool is_known = std::isfinite(way.x + way.y) && way.x != way.y;
-        const auto halves = halves_of(part.box, is_known ? (way.x > way.y ? 0 : 1) : depth % 2);
+        const auto halves = halves_of(box, is_known ? (way.x > way.y ? 0 : 1) : depth % 2);
         const BoxBounds first = bounds_over(halves[0]);
         const BoxBounds second = bounds_over(halves[1]);
         const bool is_second = second.farthest(corner.low) > first.farthest(corner.low);
-        part.box = halves[is_second ? 1 : 0];
+        box = halves[is_second ? 1 : 0];
         bounds = is_second ? second : first;
-        if (bounds.extent() <= patches_[part.patch].allowed) break;
+        if (bounds.extent() <= patches_[patch].allowed) break;
       }
       const dvec2 bend(bounds.bend.x, bounds.bend.z);
-      result_.unproved_boxes.push_back(
-          {part.patch, part.box.middle(), part.box.size(), bend, false, false});
+      result_.unproved_boxes.push_back({patch, box.middle(), box.size(), bend, false, false});
     }
   }
 
@@ -271,7 +271,8 @@ class Certifier {
   void prove(Part& part, int most_halvings) {
     if (is_refuted(part.patch)) return;
     if (budget_.is_spent(is_short_)) {
-      if (untested_.empty() || untested_.back().patch != part.patch) untested_.push_back(part);
+      if (untested_.empty() || gaps_[untested_.back()].patch != part.patch)
+        untested_.push_back(static_cast<std::uint32_t>(gaps_.size()));
       return leave_unproved(part, {dvec2(0), false});
     }
     if (part.known && measure_later(part, *part.known)) return;
@@ -286,7 +287,7 @@ class Certifier {
       if (measure_later(part, bounds)) return;
       ++broken_;
       if (depth_ >= most_halvings) return leave_unproved(part, {bend, false});
-      return halve_along(part, depth_ % 2, 1);
+      return halve_along(part, depth_ % 2, 1, next_);
     }
     const Patch patch = patches_[part.patch];
     const dvec2 size = part.box.size();
@@ -299,7 +300,7 @@ class Certifier {
     if (measure_later(part, bounds)) return;
     if (depth_ >= kAllHalvings) return leave_unproved(part, {bend, false});
     const int times = arc > kHalvedTwice * patch.allowed && std::isfinite(arc) ? 2 : 1;
-    halve(part, bounds.contributions(size), times);
+    halve(part, bounds.contributions(size), times, next_);
   }
 
   /// Puts a part on the list of boxes whose points are measured, if its bounds are narrow enough.
@@ -322,34 +323,35 @@ class Certifier {
     }
     if (!bounds.is_smooth) result_.rough[part.patch] = 1;
     measured_parts_.push_back(part);
-    measured_parts_.back().known = bounds;
+    if (part.known.get() != &bounds)
+      measured_parts_.back().known = std::make_shared<const BoxBounds>(bounds);
     return true;
   }
 
   /// Halves a part along the axis that contributes more.
-  void halve(const Part& part, const dvec2& contributions, int times) {
+  void halve(const Part& part, const dvec2& contributions, int times, std::vector<Part>& to) {
     const auto& [u, v] = std::pair(contributions.x, contributions.y);
     const int axis = u > v ? 0 : u < v ? 1 : depth_ % 2;  // the last for NaN
-    halve_along(part, axis, times);
+    halve_along(part, axis, times, to);
   }
 
-  void halve_along(const Part& part, int axis, int times) {
+  void halve_along(const Part& part, int axis, int times, std::vector<Part>& to) {
     for (const ParameterBox& half : halves_of(part.box, axis)) {
       Part next = part;
       next.box = half;
       if (times > 1) {
-        halve_along(next, axis, times - 1);
+        halve_along(next, axis, times - 1, to);
       } else {
-        next_.push_back(next);
+        to.push_back(next);
       }
     }
   }
 
   bool is_refuted(std::uint32_t patch) const { return !refuted_.empty() && refuted_[patch] != 0; }
-  void refute(const Part& part) {
+  void refute(std::uint32_t patch) {
     refuted_.resize(patches_.size(), 0);
-    refuted_[part.patch] = 1;
-    result_.proved[part.patch] = 0;
+    refuted_[patch] = 1;
+    result_.proved[patch] = 0;
   }
 
   /// Findings about a box without a proof.
@@ -365,26 +367,24 @@ class Certifier {
     add_gap(part.why, part.patch, part.box);
   }
 
-  std::size_t cell(std::size_t i, std::size_t j) const { return j * cells_u_ + i; }
-
   RootLines root_;
-  std::size_t cells_u_, cells_v_;
   const Patches& patches_;
   const std::optional<Bounds>& clip_;
   const MeasureBoxes& measure_;
   ProofBudget& budget_;
   SurfaceEnclosure enclosure_;
-  PatchesOfCells patches_of_;
-  std::vector<Demand> of_cells_;  // of the root grid
-  std::vector<Part> parts_, next_;
-  std::vector<Part> untested_;  // of patches, for which no work is left
-  std::vector<BoundedBox> bounded_;
-  std::vector<Part> measured_parts_;   // of bounded_
-  std::vector<std::uint8_t> refuted_;  // 1 for each patch that is; empty: none is
+  std::optional<DemandsOfCells> cells_;        // until they are proved
+  std::vector<Part> parts_;                    // of this level
+  std::vector<Part> next_, next_of_measured_;  // of the next level, in this order
+  std::vector<std::uint32_t> untested_;        // gaps of patches, for which no work is left
+  std::vector<BoundedBox> bounded_;            // not measured yet
+  std::vector<Part> measured_parts_;           // of bounded_
+  std::vector<std::uint8_t> refuted_;          // 1 for each patch that is; empty: none is
+  std::vector<std::uint32_t> newly_refuted_;   // in this level
   int depth_ = 0;
   bool is_short_ = true;    // this level
   std::size_t broken_ = 0;  // boxes of this level where the surface may be undefined or jump
-  std::vector<std::pair<std::uint32_t, ProofGap>> gaps_;  // of patches
+  std::vector<Gap> gaps_;
   Certification result_;
 };
 

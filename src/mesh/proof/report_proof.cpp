@@ -74,7 +74,12 @@ void ProvedCells::add(const dvec2& size, const dvec2& range) {
 void report_proof(const Surface& surface, const ProvedCells& cells, unsigned threads,
                   KnownHulls& hulls, Certification& proof, MeshReport& report) {
   std::vector<ProofGap>& gaps = proof.proof_gaps;
-  measure_gaps(surface, cells.largest, report.tolerance.value_or(kInfinity), threads, hulls, gaps);
+  for (std::span<ProofGap> rest = gaps; !rest.empty();) {
+    const auto some = rest.first(std::min(kKeptAtATime, rest.size()));
+    measure_gaps(surface, cells.largest, report.tolerance.value_or(kInfinity), threads, hulls,
+                 some);
+    rest = rest.subspan(some.size());
+  }
   double open = 0;
   for (const ProofGap& gap : gaps) open += gap.share;
   report.certified = gaps.empty();

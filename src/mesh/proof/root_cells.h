@@ -1,6 +1,7 @@
 // Patches of the interval proof, and blocks of cells of the root grid that hold them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -9,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/numbers.h"
 #include "mesh/model/proof_gap.h"
 #include "surface/parameter_box.h"
 
@@ -49,14 +51,19 @@ struct RootLines {
 
 /// Cells [first, end) of the root grid.
 struct RootCells {
-  std::size_t first_u, end_u;
-  std::size_t first_v, end_v;
+  std::uint32_t first_u, end_u;
+  std::uint32_t first_v, end_v;
 
   bool is_one() const { return end_u - first_u == 1 && end_v - first_v == 1; }
   ParameterBox box_in(const RootLines& root) const {
     return {{root.u[first_u], root.v[first_v]}, {root.u[end_u], root.v[end_v]}};
   }
 };
+
+inline RootCells all_cells(const RootLines& root) {
+  return {0, static_cast<std::uint32_t>(root.u.size() - 1), 0,
+          static_cast<std::uint32_t>(root.v.size() - 1)};
+}
 
 /// Halves cells across the side of more cells.
 inline void halve_cells(const RootCells& cells, std::vector<RootCells>& to) {
@@ -71,25 +78,58 @@ inline void halve_cells(const RootCells& cells, std::vector<RootCells>& to) {
   to.push_back(b);
 }
 
-/// The patches of each cell of the root grid.
-class PatchesOfCells {
- public:
-  PatchesOfCells(std::size_t cells, const Patches& patches)
-      : first_(cells + 1, 0), patches_(patches.size()) {
-    std::vector<std::uint32_t> cell_of;
-    for (std::size_t k = 0; k < patches.size(); ++k)
-      cell_of.push_back(static_cast<std::uint32_t>(patches[k].root_cell));
-    for (const std::uint32_t cell : cell_of) ++first_[cell + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t k = 0; k < patches.size(); ++k) patches_[next[cell_of[k]]++] = k;
+/// The largest size and the strictest tolerance of some patches.
+struct Demand {
+  dvec2 size{0};
+  double allowed = kInfinity;
+
+  void add(const Demand& other) {
+    size = glm::max(size, other.size);
+    allowed = std::min(allowed, other.allowed);
   }
-  std::span<const std::uint32_t> of(std::size_t cell) const {
+  bool is_none() const { return size == dvec2(0); }
+};
+
+/// The patches of each cell of the root grid, and the demands that were added for them.
+class DemandsOfCells {
+ public:
+  DemandsOfCells(const RootLines& root, const Patches& patches)
+      : cells_u_(root.u.size() - 1),
+        demands_(cells_u_ * (root.v.size() - 1)),
+        first_(demands_.size() + 1, 0),
+        patches_(patches.size()) {
+    std::vector<std::uint32_t> cell_of(patches.size());
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      cell_of[k] = static_cast<std::uint32_t>(patches[k].root_cell);
+      ++first_[cell_of[k]];
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    // From the ends of the cells' ranges back to their beginnings.
+    for (std::size_t k = patches.size(); k-- > 0;)
+      patches_[--first_[cell_of[k]]] = static_cast<std::uint32_t>(k);
+  }
+
+  std::size_t count() const { return demands_.size(); }
+  std::span<const std::uint32_t> patches_of(std::size_t cell) const {
     return std::span(patches_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
+  }
+  std::span<const std::uint32_t> patches_of(std::size_t i, std::size_t j) const {
+    return patches_of(j * cells_u_ + i);
+  }
+  void add(std::size_t cell, const Demand& demand) { demands_[cell].add(demand); }
+  Demand demand(const RootCells& cells) const {
+    Demand demand;
+    for (std::size_t j = cells.first_v; j < cells.end_v; ++j) {
+      for (std::size_t i = cells.first_u; i < cells.end_u; ++i)
+        demand.add(demands_[j * cells_u_ + i]);
+    }
+    return demand;
   }
 
  private:
-  std::vector<std::uint32_t> first_;
+  std::size_t cells_u_;
+  std::vector<Demand> demands_;
+  std::vector<std::uint32_t> first_;  // in patches_, of each cell and past the last
   std::vector<std::uint32_t> patches_;
 };
 

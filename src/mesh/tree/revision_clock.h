@@ -13,6 +13,9 @@ class RevisionClock {
  public:
   explicit RevisionClock(const Grid& grid) : changed_(grid) {}
 
+  /// Before all revisions: everything has changed since.
+  static constexpr std::uint32_t kNever = 0;
+
   /// Begins a revision: changes from here on are later than those before.
   std::uint32_t next() { return ++now_; }
   /// Something at a place, in units, changes: a vertex goes into use, becomes singular or one point

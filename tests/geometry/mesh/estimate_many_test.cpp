@@ -49,7 +49,7 @@ struct Subject {
                           even_lines(surface.domain.v0, surface.domain.v1, 17 * fine), 1);
   CellTree tree{surface, grid, 1};
   ErrorIndicator indicator{limits, grid, tree};
-  std::vector<Leaf> leaves = root_leaves(grid);
+  std::vector<Leaf> leaves = root_leaves(grid, 0, grid.cell_count());
 };
 
 CellLimits limits_for(double tolerance, double degrees) {
