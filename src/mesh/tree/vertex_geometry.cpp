@@ -109,7 +109,7 @@ std::vector<std::uint32_t> VertexGeometry::append_grid(const DyadicVertices::Lin
 }
 
 std::vector<std::uint32_t> VertexGeometry::evaluate(unsigned threads) {
-  const std::vector<std::uint32_t> vertices = vertices_.take_new();
+  std::vector<std::uint32_t> vertices = vertices_.take_new();
   resize();
   std::vector<double> u;
   std::vector<double> v;
