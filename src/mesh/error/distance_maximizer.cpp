@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <glm/common.hpp>
+
 #include "mesh/model/tolerances.h"
 
 namespace saddle {
@@ -30,6 +32,12 @@ bool is_missed_from_centre(const ValidatedMesh& mesh, std::size_t leaf, const Le
         predict(grid, std::span(&t, 1), centre.uv, centre.position, centre.normal);
     return may_be_missed(mesh, leaf, predicted.distance);
   });
+}
+
+void DistanceMaximizer::add_places(std::size_t leaf, std::span<const Triangle> triangles,
+                                   const TwoTriangles& measured) {
+  for (const dvec2& part : measured.places)
+    add(leaf, triangles, glm::mix(measured.low, measured.high, part));
 }
 
 /// Moves on to a predicted place that is farther from the surface; half of the way back else.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh/error/leaf_centres.h"
+#include "mesh/error/validate_many.h"
 #include "mesh/error/validated_mesh.h"
 #include "mesh/model/tolerances.h"
 
@@ -36,6 +37,10 @@ class DistanceMaximizer {
   void add(std::size_t leaf, std::span<const Triangle> triangles, const dvec2& uv) {
     ascents_.push_back({leaf, triangles, uv, -1, {0, uv}});
   }
+
+  /// Adds the places where a leaf of two triangles was measured.
+  void add_places(std::size_t leaf, std::span<const Triangle> triangles,
+                  const TwoTriangles& measured);
 
   /// Follows predictions until none is higher, a leaf is above its tolerance, or for five steps.
   /// Adds the distances found to the mesh.

@@ -56,6 +56,22 @@ bool is_other_side(const Grid& grid, std::span<const Triangle> triangles, std::u
          });
 }
 
+/// Appends a sample at each point of a chord between two places in a leaf; a crease's with the line
+/// across on which it is looked for.
+void append_on_chord(ValidationPoint sample, const dvec2& a, const dvec2& b, const dvec2& low,
+                     const dvec2& size, std::vector<ValidationPoint>& samples) {
+  const auto shares = sample.crease ? std::span<const double>(kChordSamples)
+                                    : std::span<const double>(kMiddleOfLine);
+  for (const double share : shares) {
+    sample.uv = glm::mix(a, b, share);
+    if (sample.crease) {
+      const auto& [first, last] = line_across((sample.uv - low) / size, (b - a) / size);
+      sample.across = Line{low + size * first, low + size * last};
+    }
+    samples.push_back(sample);
+  }
+}
+
 }  // namespace
 
 /// One point in each quarter of a leaf, beside the quarter's middle. The error of an arc with a
@@ -141,16 +157,7 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
     if (inside && is_other_side(grid_, triangles, a, b, on_crease)) return;
     ValidationPoint sample{number, {}, &t, is_cut};
     if (on_crease) sample.crease = Chord{a, b};
-    const auto shares =
-        on_crease ? std::span<const double>(kChordSamples) : std::span<const double>(kMiddleOfLine);
-    for (const double share : shares) {
-      sample.uv = glm::mix(at[a], at[b], share);
-      if (on_crease) {
-        const auto& [first, last] = line_across((sample.uv - low) / size, (at[b] - at[a]) / size);
-        sample.across = Line{low + size * first, low + size * last};
-      }
-      samples.push_back(sample);
-    }
+    append_on_chord(sample, at[a], at[b], low, size, samples);
   };
   for (const Triangle& t : triangles) {
     // Where a cliff turns from its segments, it is too near to them to be seen.

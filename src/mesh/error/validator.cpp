@@ -120,10 +120,8 @@ std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
       const auto centre = centres.of(i);
       if (centre && is_missed_from_centre(mesh, leaf, *centre, triangles.of(number), grid_))
         maxima.add(leaf, triangles.of(number), centre->uv);
-      if (!may_be_missed(mesh, leaf, sampled_errors[i]->predicted)) continue;
-      for (const dvec2& part : plain[i].places) {
-        maxima.add(leaf, triangles.of(number), glm::mix(plain[i].low, plain[i].high, part));
-      }
+      if (may_be_missed(mesh, leaf, sampled_errors[i]->predicted))
+        maxima.add_places(leaf, triangles.of(number), plain[i]);
     }
     maxima.climb_from_many(mesh);
     plain.clear();

@@ -47,6 +47,14 @@ std::vector<std::uint8_t> seen_lines(std::span<const double> lines, std::span<co
   return seen;
 }
 
+/// Appends leaves, with their counterexamples.
+void append_leaves(ActiveLeaves& active, ActiveLeaves more) {
+  for (Counterexample& counterexample : more.counterexamples)
+    counterexample.cell += active.leaves.size();
+  std::ranges::copy(more.leaves, std::back_inserter(active.leaves));
+  std::ranges::copy(more.counterexamples, std::back_inserter(active.counterexamples));
+}
+
 }  // namespace
 
 AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& request, MeshPlan& plan)
@@ -102,11 +110,7 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
     ActiveLeaves active = next_active();
     if (active.leaves.empty()) break;
     if (round % kFeaturePeriod == kFeaturePeriod - 1 && certifies()) {
-      ActiveLeaves more = activate_with_features();
-      for (Counterexample& counterexample : more.counterexamples)
-        counterexample.cell += active.leaves.size();
-      std::ranges::copy(more.leaves, std::back_inserter(active.leaves));
-      std::ranges::copy(more.counterexamples, std::back_inserter(active.counterexamples));
+      append_leaves(active, activate_with_features());
     }
     refine(std::move(active), {until, limits_.triangles});
   }

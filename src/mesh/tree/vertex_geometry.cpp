@@ -95,7 +95,8 @@ void VertexGeometry::evaluate_at(std::span<const std::uint32_t> vertices, std::s
 /// Evaluates the last vertices, which are a grid. Returns them.
 std::vector<std::uint32_t> VertexGeometry::append_grid(const DyadicVertices::Lines& lines,
                                                        unsigned threads) {
-  const auto& [u, v] = lines;
+  const std::vector<double>& u = lines.u;
+  const std::vector<double>& v = lines.v;
   std::vector<std::uint32_t> vertices(u.size() * v.size());
   std::iota(vertices.begin(), vertices.end(),
             static_cast<std::uint32_t>(vertices_.size() - vertices.size()));
@@ -108,7 +109,7 @@ std::vector<std::uint32_t> VertexGeometry::append_grid(const DyadicVertices::Lin
 }
 
 std::vector<std::uint32_t> VertexGeometry::evaluate(unsigned threads) {
-  const std::vector<std::uint32_t> vertices = vertices_.take_new();
+  std::vector<std::uint32_t> vertices = vertices_.take_new();
   resize();
   std::vector<double> u;
   std::vector<double> v;

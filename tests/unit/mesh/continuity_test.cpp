@@ -57,6 +57,33 @@ TEST(Continuity, IsNotProvedAtJumpsAndPoles) {
   expect_only_at(unproved_of("1/(u-0.33)^2", 1e-3), {0.33});
 }
 
+TEST(Continuity, IsNotProvedOnEitherSideOfAPole) {
+  const auto parts = unproved_of("1/(u-0.26)^2", 1e-3);
+  ASSERT_EQ(parts.size(), 1);
+  EXPECT_LT(parts[0].part[0].x, 0.26);
+  EXPECT_GT(parts[0].part[1].x, 0.26);
+}
+
+TEST(Continuity, IsNotProvedWhereAnyCoordinateJumps) {
+  const Domain square = {-1, 1, -1, 1};
+  for (const auto& [x, y, z] : {std::array{"floor(2*u+0.11)", "v", "u"},
+                                {"u", "floor(2*u+0.11)", "v"},
+                                {"u", "v", "floor(2*u+0.11)"}}) {
+    const Surface surface = surface_from_text(x, y, z, square, {}, Order::Second);
+    std::size_t boxes = 0;
+    expect_only_at(unproved(surface, lines_along_u(), 1e-3, boxes), {-0.555, -0.055, 0.445, 0.945});
+  }
+}
+
+TEST(Continuity, TellsHowManyBoxesItTested) {
+  std::size_t boxes = 10;
+  unproved(height_field("u"), lines_along_u(), 1e-3, boxes);
+  EXPECT_EQ(boxes, 11);  // one around all lines is enough
+  const std::array<Line, 1> line = {lines_along_u()[0].part};
+  unproved_normals(height_field("u"), line, boxes);
+  EXPECT_EQ(boxes, 12);
+}
+
 TEST(Continuity, IsNotProvedAtAnyOfSomeBreaksOfALine) {
   // Five, each in the second half of what was halved last.
   const Surface surface = height_field("floor(20*u)");
@@ -163,6 +190,23 @@ TEST(Continuity, OfNormalsIsNotProvedByRounding) {
   std::size_t boxes = 0;
   EXPECT_EQ(unproved_normals(surface, lines, boxes).lines.size(), lines.size());
   EXPECT_GT(boxes, 0U);
+}
+
+TEST(Continuity, OfNormalsIsProvedWhicheverWayTheyPoint) {
+  for (const auto& [x, y, z] :
+       {std::array{"0", "u", "v"}, {"u", "0", "v"}, {"u", "v", "0"}, {"1e-8*u", "1e-8*v", "0"}}) {
+    const Surface plane = surface_from_text(x, y, z, {-1, 1, -1, 1}, {}, Order::Second);
+    EXPECT_TRUE(lines_without_normals(plane).empty()) << x << " " << y << " " << z;
+  }
+}
+
+TEST(Continuity, OfNormalsIsNotProvedOfTangentsThatAreParallel) {
+  for (const auto& [x, y, z] : {std::array{"u+v+1", "2*(u+v)", "3*(u+v)"},
+                                // Parallel but for what may be rounding, and large.
+                                {"1e3*(u+v)", "1e-6*v", "1e3*(u+v)"}}) {
+    const Surface line = surface_from_text(x, y, z, {-1, 1, -1, 1}, {}, Order::Second);
+    EXPECT_EQ(lines_without_normals(line).size(), kLines) << x;
+  }
 }
 
 TEST(Continuity, OfNormalsIsGivenUpWhereProofsAreInVain) {
