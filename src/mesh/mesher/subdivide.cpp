@@ -9,6 +9,7 @@
 #include "mesh/distance/sampled_error.h"
 #include "mesh/error/error_indicator.h"
 #include "mesh/error/estimate_many.h"
+#include "mesh/grid/triangulate.h"
 #include "mesh/mesher/edge_features.h"
 #include "mesh/mesher/halve.h"
 #include "mesh/mesher/halving_limits.h"
@@ -484,43 +485,56 @@ class Subdivider {
     if (forgets_) next_.back().leaves.back().samples.forget_all_but_corners();
   }
 
-  /// Whether a leaf is large enough to be halved for a counterexample: larger than the tolerance at
-  /// a landmark of a sheet, or larger than the box that the counterexample stands for.
-  bool is_large_at(const Leaf& leaf, const Counterexample& place) const {
+  /// Whether a counterexample is a landmark of a sheet at which a leaf is larger than the
+  /// tolerance.
+  bool is_landmark_of(const Leaf& leaf, const Counterexample& place) const {
+    if (!place.speed || !is_finite(place.position)) return false;
     const dvec2 size =
         glm::abs(tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low));
-    if (is_landmark(place)) return glm::dot(*place.speed, size) > limits_.tolerance(place.position);
-    return indicator_.splits_u(leaf, place) ? size.x >= place.size.x : size.y >= place.size.y;
-  }
-
-  /// A landmark of a sheet.
-  static bool is_landmark(const Counterexample& place) {
-    return place.speed && is_finite(place.position);
+    return glm::dot(*place.speed, size) > limits_.tolerance(place.position);
   }
 
   bool has_landmark(const Candidate& candidate) const {
     return std::ranges::any_of(candidate.origin.counterexamples, [&](std::uint32_t number) {
-      const Counterexample& place = counterexamples_[number];
-      return is_landmark(place) && is_large_at(candidate.leaf, place);
+      return is_landmark_of(candidate.leaf, counterexamples_[number]);
     });
   }
 
-  /// The first counterexample that a leaf misses with the triangles that it has in the mesh.
+  /// The size of a leaf beside that of the box that a counterexample stands for, on the axis along
+  /// which the leaf would be halved.
+  double boxes_in(const Leaf& leaf, const Counterexample& place) const {
+    const dvec2 boxes =
+        glm::abs(tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low)) /
+        place.size;
+    return indicator_.splits_u(leaf, place) ? boxes.x : boxes.y;
+  }
+
+  /// The triangles that a leaf has in the mesh.
+  LeafTriangles triangles_of(const Leaf& leaf) const {
+    return triangulate_leaves(std::span(&leaf, 1), std::array{std::size_t{0}}, SingularCorners(),
+                              grid_, tree_);
+  }
+
+  bool misses(const Array<Triangle>& triangles, const Counterexample& place) const {
+    return distance_from(grid_, triangles, place.uv, place.position) >
+           limits_.tolerance(place.position);
+  }
+
+  /// The first counterexample that a leaf without features misses. A leaf that is larger than the
+  /// counterexample's box must not miss it with the triangles of its corners, either: hanging
+  /// vertices may hide that it is too large beside the place.
   const Counterexample* missed_counterexample(const Candidate& candidate) const {
     const auto& [leaf, origin] = candidate;
     if (origin.counterexamples.empty()) return nullptr;
-    const LeafTriangles triangles = triangulate_leaves(
-        std::span(&leaf, 1), std::array{std::size_t{0}}, SingularCorners(), grid_, tree_);
+    const LeafTriangles triangles = triangles_of(leaf);
+    Array<Triangle> of_corners;
+    cut_cell(grid_, leaf.samples.corner, of_corners);
     for (const std::uint32_t number : origin.counterexamples) {
       const Counterexample& place = counterexamples_[number];
-      if (!is_large_at(leaf, place)) continue;
-      const bool is_missed =
-          is_finite(place.position)
-              ? triangles.all.empty() ||
-                    distance_from(grid_, triangles.all, place.uv, place.position) >
-                        limits_.tolerance(place.position)
-              : leaf.state.is_whole();
-      if (is_missed) return &place;
+      const double boxes = boxes_in(leaf, place);
+      if (!(boxes >= 1)) continue;
+      const bool is_coarse = boxes > 1 && (!is_finite(place.position) || misses(of_corners, place));
+      if (is_coarse || misses(triangles.all, place)) return &place;
     }
     return nullptr;
   }
@@ -529,8 +543,12 @@ class Subdivider {
   bool misses_landmark(const Candidate& candidate) {
     if (!has_landmark(candidate)) return false;
     search_sides(std::span(&candidate.leaf, 1));
-    const Counterexample* const missed = missed_counterexample(candidate);
-    return missed != nullptr && is_landmark(*missed);
+    const LeafTriangles triangles = triangles_of(candidate.leaf);
+    if (triangles.all.empty()) return true;
+    return std::ranges::any_of(candidate.origin.counterexamples, [&](std::uint32_t number) {
+      const Counterexample& place = counterexamples_[number];
+      return is_landmark_of(candidate.leaf, place) && misses(triangles.all, place);
+    });
   }
 
   std::span<const Counterexample> counterexamples_;
