@@ -508,14 +508,14 @@ std::set<std::size_t> AdaptiveMesher::drop_done(std::vector<Counterexample>& cou
 }
 
 /// Leaves with counterexamples or jumps in their unproved boxes. Where the work of proofs is done,
-/// counterexamples in leaves with features only count as errors: no halving follows from them, and
-/// nothing would end their search.
+/// whole leaves are halved for them once more. Then they only count as errors: more may be anywhere.
 ActiveLeaves AdaptiveMesher::activate_refuted() {
   const bool is_spent = proof_.is_spent();
   auto [boxes, counterexamples] = proof_.prove(mesh_);
   if (is_spent) {
-    std::erase_if(counterexamples, [this](const Counterexample& counterexample) {
-      return !mesh_.leaves[counterexample.cell].state.is_whole();
+    const bool is_again = std::exchange(has_halved_spent_, true);
+    std::erase_if(counterexamples, [&](const Counterexample& counterexample) {
+      return is_again || !mesh_.leaves[counterexample.cell].state.is_whole();
     });
   }
   std::set<std::size_t> refuted = drop_done(counterexamples);

@@ -138,6 +138,7 @@ class AdaptiveMesher {
   std::vector<PlacedSingularity> singularities_;
   bool has_new_left_out_ = false;  ///< leaves that are too small
   bool has_forgotten_ = false;     ///< leaves may lack samples
+  bool has_halved_spent_ = false;  ///< leaves were halved when the work of proofs was done
   bool reached_limit_ = false;
   std::optional<dvec2> coarse_normals_;
   std::optional<dvec2> oscillates_;

@@ -97,10 +97,12 @@ std::vector<UnprovedBox> LeafProof::find_unproved(ValidatedMesh& mesh) {
   return boxes;
 }
 
-/// Beside a feature the nearest triangle may be a neighbour's.
+/// Beside a feature the nearest triangle may be a neighbour's. That is looked for a few times:
+/// where many are off, their surface is.
 std::vector<Counterexample> LeafProof::refute(std::span<const UnprovedBox> boxes,
                                               BoxMeasure& measure, ValidatedMesh& mesh) const {
   std::vector<Counterexample> counterexamples;
+  std::size_t from_mesh = 0;
   std::vector<dvec2> middles;
   for (; !boxes.empty(); boxes = boxes.subspan(middles.size())) {
     middles.clear();
@@ -111,7 +113,9 @@ std::vector<Counterexample> LeafProof::refute(std::span<const UnprovedBox> boxes
       const UnprovedBox& box = boxes[k];
       const double allowed = mesh.allowed[box.patch];
       double distance = distance_from(grid_, mesh.triangles.of(box.patch), box.middle, points[k]);
-      if (distance > allowed) distance = measure.distance_from_mesh(points[k], distance);
+      if (distance > allowed && !mesh.leaves[box.patch].state.is_whole() &&
+          from_mesh++ < kFirstSearched)
+        distance = measure.distance_from_mesh(points[k], distance);
       mesh.add(box.patch, distance, box.middle);
       const bool exceeds_tolerance =
           box.is_undefined ? is_visible_hole(box, mesh) : distance > allowed;
