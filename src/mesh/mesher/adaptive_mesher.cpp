@@ -508,7 +508,8 @@ std::set<std::size_t> AdaptiveMesher::drop_done(std::vector<Counterexample>& cou
 }
 
 /// Leaves with counterexamples or jumps in their unproved boxes. Where the work of proofs is done,
-/// whole leaves are halved for them once more. Then they only count as errors: more may be anywhere.
+/// whole leaves are halved for them once more. Then they only count as errors: more may be
+/// anywhere.
 ActiveLeaves AdaptiveMesher::activate_refuted() {
   const bool is_spent = proof_.is_spent();
   auto [boxes, counterexamples] = proof_.prove(mesh_);
