@@ -242,10 +242,10 @@ void AdaptiveMesher::find_far_vertices() {
 /// Subdivides active leaves, follows the features found on their sides, and validates the leaves
 /// that are new or cut.
 void AdaptiveMesher::refine(ActiveLeaves active, const SubdivisionGoal& goal) {
-  if (landmarks_.any()) {
-    const std::vector<Leaf> roots =
-        root_leaves(grid_, 0, active.are_roots ? grid_.cell_count() : 0);
-    landmarks_.append_missed(active.are_roots ? roots : active.leaves, active.counterexamples);
+  if (landmarks_.any() && active.are_roots) {
+    landmarks_.append_missed(root_leaves(grid_, 0, grid_.cell_count()), active.counterexamples);
+  } else {
+    landmarks_.append_missed(active.leaves, active.counterexamples);
   }
   append(subdivide(std::move(active), oscillation(), limits_, goal, grid_, tree_));
   find_far_vertices();

@@ -129,9 +129,7 @@ std::vector<Counterexample> LeafProof::refute(std::span<const UnprovedBox> boxes
 /// Whether a box in which the surface is undefined shows in the mesh.
 bool LeafProof::is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mesh) const {
   const Leaf& leaf = mesh.leaves[box.patch];
-  const dvec2 size =
-      glm::abs(tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low));
-  const dvec2 part = box.size / size;
+  const dvec2 part = box.size / tree_.vertices().size(leaf.low, leaf.high);
   const auto p = corner_positions(leaf, tree_);
   const double along_u = std::max(glm::distance(p[0], p[1]), glm::distance(p[3], p[2]));
   const double along_v = std::max(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <optional>
 #include <utility>
 
 #include "base/activity.h"
@@ -489,8 +490,7 @@ class Subdivider {
   /// tolerance.
   bool is_landmark_of(const Leaf& leaf, const Counterexample& place) const {
     if (!place.speed || !is_finite(place.position)) return false;
-    const dvec2 size =
-        glm::abs(tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low));
+    const dvec2 size = tree_.vertices().size(leaf.low, leaf.high);
     return glm::dot(*place.speed, size) > limits_.tolerance(place.position);
   }
 
@@ -503,9 +503,7 @@ class Subdivider {
   /// The size of a leaf beside that of the box that a counterexample stands for, on the axis along
   /// which the leaf would be halved.
   double boxes_in(const Leaf& leaf, const Counterexample& place) const {
-    const dvec2 boxes =
-        glm::abs(tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low)) /
-        place.size;
+    const dvec2 boxes = tree_.vertices().size(leaf.low, leaf.high) / place.size;
     return indicator_.splits_u(leaf, place) ? boxes.x : boxes.y;
   }
 
@@ -525,16 +523,17 @@ class Subdivider {
   /// vertices may hide that it is too large beside the place.
   const Counterexample* missed_counterexample(const Candidate& candidate) const {
     const auto& [leaf, origin] = candidate;
-    if (origin.counterexamples.empty()) return nullptr;
-    const LeafTriangles triangles = triangles_of(leaf);
     Array<Triangle> of_corners;
-    cut_cell(grid_, leaf.samples.corner, of_corners);
+    std::optional<LeafTriangles> triangles;  // made for the first place near those
     for (const std::uint32_t number : origin.counterexamples) {
       const Counterexample& place = counterexamples_[number];
       const double boxes = boxes_in(leaf, place);
       if (!(boxes >= 1)) continue;
+      if (of_corners.empty()) cut_cell(grid_, leaf.samples.corner, of_corners);
       const bool is_coarse = boxes > 1 && (!is_finite(place.position) || misses(of_corners, place));
-      if (is_coarse || misses(triangles.all, place)) return &place;
+      if (is_coarse) return &place;
+      if (!triangles) triangles = triangles_of(leaf);
+      if (misses(triangles->all, place)) return &place;
     }
     return nullptr;
   }

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/common.hpp>
+
 #include "base/numbers.h"
 #include "base/vec.h"
 #include "mesh/tree/leaf.h"
@@ -30,6 +32,10 @@ class DyadicVertices {
 
   /// The parameters of a place; exact on the lines of the root grid.
   dvec2 parameters(DyadicPoint place) const;
+  /// The sides of the box of parameters between two places, also where a range is reversed.
+  dvec2 size(DyadicPoint low, DyadicPoint high) const {
+    return glm::abs(parameters(high) - parameters(low));
+  }
 
   /// The vertex at a place; creates it if there is none.
   std::uint32_t vertex(DyadicPoint place) {
