@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include <glm/common.hpp>
+
 #include "base/vec.h"
 #include "surface/surface.h"
 
@@ -15,6 +17,11 @@ struct ParameterBox {
   dvec2 middle() const { return 0.5 * low + 0.5 * high; }
   dvec2 size() const { return glm::abs(high - low); }
 };
+
+/// The place in a box that is nearest to a place.
+inline dvec2 nearest_in(const ParameterBox& box, const dvec2& uv) {
+  return glm::clamp(uv, glm::min(box.low, box.high), glm::max(box.low, box.high));
+}
 
 /// The whole domain, in its direction.
 inline ParameterBox box_of(const Domain& domain) {

@@ -230,10 +230,8 @@ std::optional<dvec2> BoundaryDistance::outside_of(const Leaf& leaf, std::span<co
   if (is_shared) return std::nullopt;
   const dvec2 reach = way / std::max(std::fabs(way.x), std::fabs(way.y));
   const dvec2 outside = low + size * (border + reach);
-  const ParameterBox domain = box_of(surface_.domain);
-  const dvec2 inside =
-      glm::clamp(outside, glm::min(domain.low, domain.high), glm::max(domain.low, domain.high));
-  return inside == outside ? std::optional(outside) : std::nullopt;
+  const bool is_inside = nearest_in(box_of(surface_.domain), outside) == outside;
+  return is_inside ? std::optional(outside) : std::nullopt;
 }
 
 std::vector<LeafDistance> BoundaryDistance::measure() {

@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 
+#include "mesh/distance/descend.h"
 #include "mesh/features/bisect_together.h"
 #include "mesh/model/tolerances.h"
 
@@ -84,64 +85,20 @@ void narrow(CreaseSearch& search, const dvec2& middle, const SurfacePoint& at_mi
   ++search.halvings;
 }
 
-/// The descent of a point of the mesh to the surface.
-struct Descent {
-  dvec2 uv;
-  SurfacePoint at;
-  double distance;
-  /// The part of the normal equations' diagonal that is added to it. A step that comes no nearer
-  /// multiplies it by 10, another one by 0.1.
-  double damping = kNearly;
-};
-
-dvec2 step(const Descent& d, const dvec3& from) {
-  const dvec3 gap = from - d.at.position;
-  const double a = (1 + d.damping) * glm::dot(d.at.r_u, d.at.r_u);
-  const double b = glm::dot(d.at.r_u, d.at.r_v);
-  const double c = (1 + d.damping) * glm::dot(d.at.r_v, d.at.r_v);
-  const dvec2 right(glm::dot(d.at.r_u, gap), glm::dot(d.at.r_v, gap));
-  const dvec2 way = dvec2(c * right.x - b * right.y, a * right.y - b * right.x) / (a * c - b * b);
-  return std::isfinite(way.x + way.y) ? way : dvec2(0);
-}
-
-/// Takes a place if it is nearer; else raises the damping.
-void arrive(const dvec2& uv, const SurfacePoint& there, const dvec3& from, Descent& d) {
-  const double distance = glm::distance(there.position, from);
-  if (distance < d.distance) {
-    d = {uv, there, distance, 0.1 * d.damping};
-  } else {
-    d.damping *= 10;
-  }
-}
-
-dvec2 next_place(const Descent& d, const MiddleOfChord& chord) {
-  const dvec2 begin = middle_of(chord.ends);
-  const dvec2 off = d.uv + step(d, chord.middle()) - begin;
-  return begin + glm::clamp(off, -chord.reach, chord.reach);
-}
-
 /// Distances from the surface by descents that start at these places.
 std::vector<double> distances_from(std::span<const dvec2> places, const Surface& surface,
                                    std::span<const MiddleOfChord> chords, unsigned threads) {
-  std::vector<Descent> descents;
-  std::vector<std::size_t> active;  // numbers of descents
-  for (const dvec2& place : places) {
-    active.push_back(descents.size());
-    descents.push_back({place, {}, std::numeric_limits<double>::infinity()});
-  }
-  std::vector<dvec2> uv(places.begin(), places.end());
-  for (int round = 0; round <= kHalvingsOfSecondOrder && !active.empty(); ++round) {
-    const std::vector<SurfacePoint> there = evaluate(surface, uv, threads);
-    for (std::size_t i = 0; i < active.size(); ++i) {
-      arrive(uv[i], there[i], chords[active[i]].middle(), descents[active[i]]);
-    }
-    std::erase_if(active, [&](std::size_t k) { return descents[k].distance <= chords[k].known; });
-    uv.clear();
-    for (const std::size_t k : active) uv.push_back(next_place(descents[k], chords[k]));
+  std::vector<Descending> points;
+  for (std::size_t k = 0; k < chords.size(); ++k) {
+    const MiddleOfChord& chord = chords[k];
+    const dvec2 middle = middle_of(chord.ends);
+    const ParameterBox within = {middle - chord.reach, middle + chord.reach};
+    points.push_back({chord.middle(), places[k], within, chord.known});
   }
   std::vector<double> distances;
-  distances.reserve(descents.size());
-  for (const Descent& d : descents) distances.push_back(std::isfinite(d.distance) ? d.distance : 0);
+  distances.reserve(points.size());
+  for (const auto& [distance, uv] : descend(surface, points, kHalvingsOfSecondOrder, threads))
+    distances.push_back(std::isfinite(distance) ? distance : 0);
   return distances;
 }
 

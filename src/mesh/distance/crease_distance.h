@@ -32,7 +32,6 @@ struct MiddleOfChord {
   dvec3 middle() const { return 0.5 * (positions[0] + positions[1]); }
 };
 /// The distances of middles of chords from the surface near their parameters: upper bounds.
-/// Source: D. Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", 1963.
 std::vector<double> distances_from_surface(const Surface& surface,
                                            std::span<const MiddleOfChord> chords, unsigned threads);
 

@@ -25,12 +25,10 @@ constexpr std::array<std::size_t, 4> kBegun = {1, 2, kStraight, kLines};
 
 const std::size_t LinesThroughPlaces::kRounds = kBegun.size() + kHalvingsToEdge;
 
-dvec2 LinesThroughPlaces::add_place(const dvec3& position, const dvec2& uv,
-                                    const std::array<dvec2, 3>& corners, const dvec2& range) {
+void LinesThroughPlaces::add_place(const dvec3& position, const dvec2& uv,
+                                   const std::array<dvec2, 3>& corners, const dvec2& reach) {
   const dvec2 low = glm::min(glm::min(corners[0], corners[1]), corners[2]);
   const dvec2 high = glm::max(glm::max(corners[0], corners[1]), corners[2]);
-  const dvec2 size = (high - low) / range;
-  const dvec2 reach = std::max(size.x, size.y) * range;
   for (int axis = 0; axis < 2; ++axis) {
     dvec2 way(0);
     way[axis] = reach[axis];
@@ -40,7 +38,6 @@ dvec2 LinesThroughPlaces::add_place(const dvec3& position, const dvec2& uv,
   for (const dvec2& corner : corners) lines_.emplace_back(position, uv, corner - uv);
   for (const dvec2& direction : kAslant) lines_.emplace_back(position, uv, reach * direction);
   own_.resize(lines_.size());
-  return reach;
 }
 
 void LinesThroughPlaces::begin() {

@@ -13,8 +13,8 @@
 
 namespace saddle {
 
-/// For each place there are both lines of parameters, as far to both sides as the place's triangle
-/// reaches along one of them, the lines to its corners, and others. Both lines of parameters start
+/// For each place there are both lines of parameters, the lines to its triangle's corners, and
+/// others. Both lines of parameters start
 /// from samples within the triangle's own extent, too: a triangle along a ridge is much longer than
 /// the ridge is wide. A line is sampled only where the samples of those before it are too far off.
 class LinesThroughPlaces {
@@ -23,10 +23,9 @@ class LinesThroughPlaces {
   LinesThroughPlaces(double least, double shortest, bool has_cliffs)
       : least_(least), shortest_(shortest), has_cliffs_(has_cliffs) {}
 
-  /// `corners`: of its triangle. `range`: of the parameters. Returns how far the lines of
-  /// parameters reach.
-  dvec2 add_place(const dvec3& position, const dvec2& uv, const std::array<dvec2, 3>& corners,
-                  const dvec2& range);
+  /// `corners`: of its triangle. `reach`: how far the lines of parameters go to both sides.
+  void add_place(const dvec3& position, const dvec2& uv, const std::array<dvec2, 3>& corners,
+                 const dvec2& reach);
 
   /// Chooses the first places at which the surface is asked for.
   void begin();

@@ -69,14 +69,15 @@ Nearest nearest_on(const Grid& grid, const Triangle& t, const dvec3& p) {
   return nearest_on_triangle({grid.local(t[0]), grid.local(t[1]), grid.local(t[2])}, p);
 }
 
-/// The distance of a point, in local units, from triangles. `on_own`: its nearest point on the
-/// first triangle to try.
+/// The distance of a point, in local units, from triangles. `on_own`: its nearest point on `own`,
+/// one of them.
 double distance(const Grid& grid, std::span<const Triangle> triangles, const dvec3& p,
-                const Nearest& on_own) {
+                const Triangle& own, const Nearest& on_own) {
   double distance = on_own.distance;
   if (on_own.inside) return distance;
-  for (const Triangle& t : triangles)
-    distance = std::min(distance, nearest_on(grid, t, p).distance);
+  for (const Triangle& t : triangles) {
+    if (&t != &own) distance = std::min(distance, nearest_on(grid, t, p).distance);
+  }
   return distance;
 }
 
@@ -127,7 +128,7 @@ double distance_from(const Grid& grid, std::span<const Triangle> triangles, cons
   if (triangles.empty() || !is_finite(position)) return 0;
   const Triangle& own = *triangle_below(grid, triangles, uv).triangle;
   const dvec3 p = grid.local_scale * position;
-  return distance(grid, triangles, p, nearest_on(grid, own, p)) / grid.local_scale;
+  return distance(grid, triangles, p, own, nearest_on(grid, own, p)) / grid.local_scale;
 }
 
 WeightedDistance nearest_weights(const Grid& grid, const Triangle& triangle,
@@ -157,7 +158,7 @@ SampledError sampled_error(const Grid& grid, std::span<const Triangle> triangles
     interpolated += on_own.weights[k] * grid.mesh.normal[own[static_cast<std::size_t>(k)]];
   }
   const bool is_near = on_own.distance <= grid.local_scale * known;
-  double away = is_near ? on_own.distance : distance(grid, triangles, p, on_own);
+  double away = is_near ? on_own.distance : distance(grid, triangles, p, own, on_own);
   if (normal) away = std::max(away, height_of_triangle(grid, below, p, *normal));
   return {away / grid.local_scale, normal ? degrees_between(*normal, interpolated) : 0};
 }
@@ -176,6 +177,7 @@ Predicted predict(const Grid& grid, std::span<const Triangle> triangles, const d
   Nearest on_own = nearest_on(grid, *nearest, p);
   for (const Triangle& t : triangles) {
     if (on_own.inside) break;
+    if (&t == nearest) continue;
     const Nearest on_it = nearest_on(grid, t, p);
     if (!on_it.inside && !(on_it.distance < on_own.distance)) continue;
     nearest = &t;

@@ -101,7 +101,8 @@ class WholeMeshError {
   /// Stops at places that are within `least`.
   std::vector<Nearest> search(std::span<const Expected> places, double least,
                               double tolerance) const;
-  void descend(std::span<Nearest> nearest) const;
+  std::vector<Expected> descend_to_least(std::span<const Expected> places, double least) const;
+  void search_around(std::span<Nearest> nearest) const;
   /// The places farther than `least`.
   std::vector<Nearest> search_above(std::span<const Expected> places, double least,
                                     double tolerance) const;

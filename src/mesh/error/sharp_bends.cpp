@@ -220,8 +220,7 @@ void SharpBends::search(ValidatedMesh& mesh) {
     for (const SharpLeaf& leaf : leaves_) {
       for (const dvec2& way : kFourWays) {
         const dvec2 there = leaf.farthest + step * way * (leaf.high - leaf.low);
-        uv.push_back(
-            glm::clamp(there, glm::min(leaf.low, leaf.high), glm::max(leaf.low, leaf.high)));
+        uv.push_back(nearest_in({leaf.low, leaf.high}, there));
       }
     }
     const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);

@@ -227,9 +227,7 @@ bool goes_on_beyond(const Surface& surface, const CliffSearch& search, double de
     if (search.ends[end == 0 ? 0 : 1].share != end) continue;
     const double share = end == 0 ? -width : 1 + width;
     const dvec2 beyond = search.at(share);
-    const dvec2 inside =
-        glm::clamp(beyond, glm::min(domain.low, domain.high), glm::max(domain.low, domain.high));
-    if (inside != beyond) continue;
+    if (nearest_in(domain, beyond) != beyond) continue;
     const std::vector<SurfacePoint> points =
         evaluate(surface, std::array{beyond, search.at(end)}, 1);
     work += points.size();
