@@ -11,7 +11,6 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/vector_relational.hpp>
 
 #include "base/format.h"
 #include "mesh/model/tolerances.h"
@@ -67,17 +66,27 @@ PlaceGroup longest_line(std::span<const dvec2> places, const Indices& left, int 
 /// Whether places follow one another along a line. Many curves that cross a line of the grid have
 /// places on it, too, but each has a nearer one on the same curve.
 bool is_line(std::span<const dvec2> places, const PlaceGroup& group, const dvec2& extent) {
+  const int along = group.low.x == group.high.x ? 1 : 0;
   std::vector<std::uint8_t> is_member(places.size(), 0);
   for (const std::size_t k : group.members) is_member[k] = 1;
+  Indices sorted = indices_of(places.size());
+  std::ranges::sort(sorted, {}, [&](std::size_t k) { return places[k][along]; });
   std::size_t in_line = 0;
-  for (const std::size_t k : group.members) {
+  for (std::size_t at = 0; at < sorted.size(); ++at) {
+    const std::size_t k = sorted[at];
+    if (is_member[k] == 0) continue;
     std::array<double, 2> nearest;  // squares: of another curve, of the line
     nearest.fill(std::numeric_limits<double>::infinity());
-    for (std::size_t other = 0; other < places.size(); ++other) {
-      if (other == k) continue;
+    // False if all further ones are farther apart along the line alone.
+    const auto look_at = [&](std::size_t other) {
       const dvec2 way = (places[other] - places[k]) / extent;
       double& least = nearest[is_member[other]];
       least = std::min(least, glm::dot(way, way));
+      return way[along] * way[along] <= std::max(nearest[0], nearest[1]);
+    };
+    for (std::size_t next = at + 1; next < sorted.size() && look_at(sorted[next]); ++next) {
+    }
+    for (std::size_t next = at; next-- > 0 && look_at(sorted[next]);) {
     }
     in_line += nearest[1] < nearest[0] ? 1 : 0;
   }
@@ -172,12 +181,16 @@ dvec2 without_rounding(dvec2 place, const Domain& domain, double rounding) {
 std::vector<dvec2> distinct_places(std::span<const dvec2> places, const Domain& domain) {
   const dvec2 near = kSame * extents(domain);
   std::vector<dvec2> result;
+  std::vector<dvec2> sorted;  // the same by u
   for (const dvec2& found : places) {
     const dvec2 place = without_rounding(found, domain, kSame);
-    const auto is_same = [&](const dvec2& other) {
-      return glm::all(glm::lessThanEqual(glm::abs(place - other), near));
-    };
-    if (std::ranges::none_of(result, is_same)) result.push_back(place);
+    const auto u_of = [](const dvec2& other) { return other.x; };
+    const auto first = std::ranges::lower_bound(sorted, place.x - near.x, {}, u_of);
+    const auto last = std::ranges::upper_bound(first, sorted.end(), place.x + near.x, {}, u_of);
+    const auto is_same = [&](const dvec2& other) { return std::fabs(place.y - other.y) <= near.y; };
+    if (std::any_of(first, last, is_same)) continue;
+    result.push_back(place);
+    sorted.insert(std::ranges::upper_bound(first, last, place.x, {}, u_of), place);
   }
   return result;
 }
@@ -193,7 +206,7 @@ std::vector<PlaceGroup> take_lines(std::span<const dvec2> places, const Domain& 
     const PlaceGroup& longer = along_v.members.size() > along_u.members.size() ? along_v : along_u;
     if (longer.members.size() < kManyOfLine) break;
     const auto is_member = [&](std::size_t k) {
-      return std::ranges::find(longer.members, k) != longer.members.end();
+      return std::ranges::binary_search(longer.members, k);
     };
     std::erase_if(candidates, is_member);
     if (!is_line(places, longer, extent)) continue;

@@ -105,7 +105,8 @@ bool LeafValidation::validate_singular() {
   const SingularCorners singular(mesh_.leaves, tree_, limits_.threads, normal_limits_, grid_,
                                  unused);
   // The corners with limits are removed again, and so the triangles at them are out of date.
-  validate(singular.leaves(), singular, tree_.revisions().next(), RevisionClock::kNever);
+  singular_validated_at_ = tree_.revisions().next();
+  validate(singular.leaves(), singular, singular_validated_at_, RevisionClock::kNever);
   mesh.position.resize(count);
   mesh.normal.resize(count);
   mesh.uv.resize(count);
@@ -116,7 +117,13 @@ bool LeafValidation::validate_singular() {
 void LeafValidation::triangulate(MeshReport& report) {
   const auto& leaves = mesh_.leaves;
   const SingularCorners singular(leaves, tree_, limits_.threads, normal_limits_, grid_, report);
-  validate(singular.leaves(), singular);
+  std::vector<std::size_t> changed(singular.leaves().begin(), singular.leaves().end());
+  std::erase_if(changed, [&](std::size_t k) {
+    const std::uint32_t validated_at = leaves[k].validated_at;
+    return validated_at == singular_validated_at_ &&
+           !tree_.revisions().has_changed(leaves[k], validated_at);
+  });
+  validate(changed, singular);
   std::vector<std::size_t> stale;
   for (std::size_t k = 0; k < leaves.size(); ++k) {
     if (!has_lasting_triangles(k)) stale.push_back(k);

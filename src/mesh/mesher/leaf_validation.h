@@ -63,6 +63,7 @@ class LeafValidation {
   LeafLandmarks& landmarks_;
   ValidatedMesh& mesh_;
   LastLimits normal_limits_;
+  std::uint32_t singular_validated_at_ = 0;  ///< the last revision of validate_singular()
   std::size_t evaluations_ = 0;
 };
 
