@@ -441,6 +441,7 @@ std::vector<Leaf> AdaptiveMesher::halve_failed() {
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     Leaf& leaf = mesh_.leaves[k];
     const bool is_cut = leaf.state.is_cut_by_feature();
+    if (leaf.validated_at <= halved_ && !is_cut) continue;  // most leaves, in most rounds
     const std::optional<Failure> failure = failure_of(k);
     if (!failure) continue;
     if (is_cut && leave_out_if_small(k)) continue;
