@@ -39,11 +39,6 @@ double largest_component(const dvec3& a) {
   return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
 }
 
-/// Whether products of four such numbers, as in |r_u x r_v|^2, neither overflow nor vanish.
-bool is_moderate(double x) {
-  return x > 1e-70 && x < 1e70;
-}
-
 /// r_u x r_v with the tangents divided by numbers that keep it from overflow and underflow; zero
 /// for a zero tangent, nothing where one is not finite.
 struct ScaledCross {
@@ -144,9 +139,7 @@ std::vector<Approach> ways_to(const Domain& d, const dvec2& uv) {
 
 }  // namespace
 
-double safe_length(const dvec3& a) {
-  const double plain = glm::length(a);
-  if (is_moderate(plain)) return plain;
+double scaled_length(const dvec3& a) {
   if (!is_finite(a)) return std::numeric_limits<double>::infinity();
   const double size = largest_component(a);
   return size > 0 ? size * glm::length(a / size) : 0;

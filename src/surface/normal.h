@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "surface/surface.h"
 
 namespace saddle {
@@ -39,8 +41,19 @@ std::optional<dvec3> known_normal(const SurfacePoint& point, bool flip);
 /// The direction of r_u x r_v, however short it is; nothing where it has none.
 std::optional<dvec3> normal_direction(const SurfacePoint& point);
 
+/// Whether products of four such numbers, as in |r_u x r_v|^2, neither overflow nor vanish.
+inline bool is_moderate(double x) {
+  return x > 1e-70 && x < 1e70;
+}
+
+/// safe_length() by way of the largest component.
+double scaled_length(const dvec3& a);
+
 /// |a|, also where its square would overflow or vanish; infinite where `a` is not finite.
-double safe_length(const dvec3& a);
+inline double safe_length(const dvec3& a) {
+  const double plain = glm::length(a);
+  return is_moderate(plain) ? plain : scaled_length(a);
+}
 
 /// A limit found by extrapolation.
 struct NormalLimit {

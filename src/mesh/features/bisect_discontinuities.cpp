@@ -122,10 +122,8 @@ struct Look {
 /// The part of a gap that the slope at neither of its ends explains: its jumps. No jump exceeds the
 /// gap and the way along the lesser slope: toward an upright end the other one is far more than the
 /// surface moves. Between two upright ends it is the gap.
-double unexplained_gap(const dvec3& from, const dvec3& slope_from, const dvec3& to,
+double unexplained_gap(const dvec3& gap, double length, const dvec3& slope_from,
                        const dvec3& slope_to, double share) {
-  const dvec3 gap = to - from;
-  const double length = safe_length(gap);
   double largest = 0;
   double lesser = kInfinity;
   for (const dvec3& slope : {share * slope_from, share * slope_to}) {
@@ -141,16 +139,19 @@ double unexplained_gap(const dvec3& from, const dvec3& slope_from, const dvec3& 
 /// into which the surface moves away from the ends. Notes a larger gap that is passed by.
 bool is_in_first_part(Search& search, const Look& look, double first_gap, double last_gap,
                       const BisectedVector& bisected) {
-  const double ends = gap_between(search.at_ends[0], search.at_ends[1]);
-  if (look.slope && ends < kOfSecondOrder * std::min(first_gap, last_gap)) {
+  // Only gaps that are nearly the same can have their sum so short.
+  const double short_gap = kOfSecondOrder * std::min(first_gap, last_gap);
+  if (look.slope && std::fabs(first_gap - last_gap) <= short_gap &&
+      gap_between(search.at_ends[0], search.at_ends[1]) < short_gap) {
     const double away = glm::dot(*look.slope / safe_length(*look.slope),
                                  (look.value - search.at_ends[0]) / first_gap);
     if (away != 0 && std::isfinite(away)) return away < 0;
   }
   if (look.slope) {
-    const double first = unexplained_gap(search.at_ends[0], search.slopes[0], look.value,
-                                         *look.slope, search.length * search.share);
-    const double last = unexplained_gap(look.value, *look.slope, search.at_ends[1],
+    const double first =
+        unexplained_gap(look.value - search.at_ends[0], first_gap, search.slopes[0], *look.slope,
+                        search.length * search.share);
+    const double last = unexplained_gap(search.at_ends[1] - look.value, last_gap, *look.slope,
                                         search.slopes[1], search.length * (1 - search.share));
     if (std::max(first, last) > bisected.delta) {
       const bool is_first = first > bisected.first_gap;
