@@ -26,8 +26,6 @@ constexpr std::size_t kMostSearched = 192;
 /// error.
 constexpr int kClimbsOnMesh = 4;
 constexpr double kClimbedShare = 0.5;
-/// Steps towards the surface before its lines are searched: each doubles the digits.
-constexpr int kStepsToLeast = 3;
 /// Rounds of the climb in each of many triangles.
 constexpr int kClimbsOfTriangles = 2;
 
@@ -201,7 +199,8 @@ std::vector<WholeMeshError::Expected> WholeMeshError::descend_to_least(
     const ParameterBox within = {nearest_in(domain, uv - reach), nearest_in(domain, uv + reach)};
     points.push_back({position_of(expected.place), uv, within, least});
   }
-  const std::vector<PlacedError> nearest = descend(surface_, points, kStepsToLeast, threads_);
+  const std::vector<PlacedError> nearest =
+      descend(surface_, points, kHalvingsOfSecondOrder, threads_);
   std::vector<Expected> rest;
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (!(nearest[k].distance <= least)) rest.push_back(places[k]);

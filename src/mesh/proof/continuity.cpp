@@ -23,9 +23,9 @@ constexpr int kLeastHalvings = 6;
 /// parts after 6. If they prove nothing there, they are too wide for the whole line.
 constexpr int kHalvingsToGlance = 2;
 constexpr std::array kGlances = {0.21, 0.53, 0.83};
-/// The share of a part that its end beside a known discontinuity gets when it is cut: that end is
-/// never proved, and the rest is halved on where bounds are too wide.
-constexpr double kBesideDiscontinuity = 1.0 / 1024;
+/// Halvings at once toward an end of a part that is never proved: a known discontinuity is beside
+/// it, or the last kLeastHalvings cuts left that end alone. The rest is halved on where bounds are too wide.
+constexpr int kHalvingsBeside = 10;
 
 ParameterBox box_around(std::span<const LinePart> lines) {
   ParameterBox box = {lines[0].part[0], lines[0].part[0]};
@@ -78,42 +78,87 @@ class Prover {
   }
 
  private:
+  /// A part without a proof so far.
+  struct Open {
+    LinePart line;
+    int depth = 0;            ///< halvings that make a part as short
+    std::size_t towards = 0;  ///< the end of the part before that it lies at
+    int steady = 0;           ///< cuts in a row after which the part at that end was left alone
+  };
+
+  /// As near to an end of a line as so many halvings; nothing if there are no doubles between.
+  static std::optional<dvec2> place_near(const Line& line, std::size_t end, int halvings) {
+    const double near = std::ldexp(1, -halvings);
+    const double share = end == 0 ? near : 1 - near;
+    const dvec2 at = (1 - share) * line[0] + share * line[1];
+    return at == line[0] || at == line[1] ? std::nullopt : std::optional(at);
+  }
+
   /// Cuts a part in two; nothing if it is as short as doubles go.
-  static std::optional<std::array<LinePart, 2>> cut(const LinePart& whole) {
-    const auto& [line, part, broken] = whole;
-    const double share = !broken        ? 0.5
-                         : *broken == 0 ? kBesideDiscontinuity
-                                        : 1 - kBesideDiscontinuity;
-    const dvec2 at = (1 - share) * part[0] + share * part[1];
-    if (at == part[0] || at == part[1]) return std::nullopt;
-    std::array<LinePart, 2> parts = {LinePart{line, {part[0], at}}, LinePart{line, {at, part[1]}}};
-    if (broken) parts[*broken].broken_end = broken;
+  std::optional<std::array<Open, 2>> cut(const Open& whole) const {
+    const auto& [line, part, broken] = whole.line;
+    if (broken) {
+      const std::optional<dvec2> at = place_near(part, *broken, kHalvingsBeside);
+      return at ? std::optional(cut_at(*at, whole, 1)) : std::nullopt;
+    }
+    if (whole.steady >= kLeastHalvings) {
+      const int times = std::min(kHalvingsBeside, halvings_ - whole.depth);
+      if (const auto at = place_near(part, whole.towards, times)) return cut_at(*at, whole, times);
+    }
+    const std::optional<dvec2> at = place_near(part, 0, 1);
+    return at ? std::optional(cut_at(*at, whole, 1)) : std::nullopt;
+  }
+
+  /// `times`: the halvings that the part at the end without a proof counts for.
+  static std::array<Open, 2> cut_at(const dvec2& at, const Open& whole, int times) {
+    const auto& [line, part, broken] = whole.line;
+    std::array<Open, 2> parts = {Open{{line, {part[0], at}}}, Open{{line, {at, part[1]}}}};
+    for (std::size_t k = 0; k < 2; ++k) {
+      parts[k].depth = whole.depth + (times == 1 ? 1 : k == whole.towards ? times : 0);
+      parts[k].towards = k;
+      if (k == whole.towards) parts[k].steady = whole.steady;
+    }
+    if (broken) parts[*broken].line.broken_end = broken;
     return parts;
   }
 
+  /// Removes the parts that are proved. Those left alone of two are one cut steadier.
+  void keep_unproved(std::vector<Open>& level) {
+    const auto are_halves = [](const Open& a, const Open& b) {
+      return a.towards == 0 && b.towards == 1 && a.line.part[1] == b.line.part[0];
+    };
+    std::erase_if(level, [this](const Open& open) {
+      return open.depth < halvings_ && is_proved({open.line.part[0], open.line.part[1]});
+    });
+    for (std::size_t k = 0; k < level.size(); ++k) {
+      const bool is_alone = !(k > 0 && are_halves(level[k - 1], level[k])) &&
+                            !(k + 1 < level.size() && are_halves(level[k], level[k + 1]));
+      level[k].steady = is_alone ? level[k].steady + 1 : 0;
+    }
+  }
+
   void add_unproved(const LinePart& line, std::vector<LinePart>& result) {
-    std::vector<LinePart> level = {line};
-    std::vector<LinePart> shortest;
-    for (int depth = 0; !level.empty() && depth < halvings_; ++depth) {
-      std::erase_if(level, [this](const LinePart& part) {
-        return is_proved({part.part[0], part.part[1]});
-      });
-      const bool is_in_vain = depth == kHalvingsToGlance &&
+    std::vector<Open> level = {{line}};
+    std::vector<LinePart> rest;
+    for (int cuts = 0; !level.empty(); ++cuts) {
+      keep_unproved(level);
+      const bool is_in_vain = cuts == kHalvingsToGlance &&
                               level.size() == 1 << kHalvingsToGlance && !is_provable(line.part);
-      if (level.size() > kMostLineParts && depth >= kLeastHalvings) break;
-      std::vector<LinePart> next;
-      for (const LinePart& part : level) {
-        if (const auto parts = cut(part)) {
+      if (level.size() > kMostLineParts && cuts >= kLeastHalvings) break;
+      std::vector<Open> next;
+      for (const Open& open : level) {
+        const auto parts = open.depth < halvings_ ? cut(open) : std::nullopt;
+        if (parts) {
           next.insert(next.end(), parts->begin(), parts->end());
         } else {
-          shortest.push_back(part);
+          rest.push_back(open.line);
         }
       }
       level = std::move(next);
       if (is_in_vain) break;
     }
-    shortest.insert(shortest.end(), level.begin(), level.end());
-    add_some(joined(std::move(shortest), line), result);
+    for (const Open& open : level) rest.push_back(open.line);
+    add_some(joined(std::move(rest), line), result);
   }
 
   /// Whether there is a proof on short boxes of a line.

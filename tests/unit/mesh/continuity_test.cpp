@@ -64,6 +64,19 @@ TEST(Continuity, IsNotProvedOnEitherSideOfAPole) {
   EXPECT_GT(parts[0].part[1].x, 0.26);
 }
 
+/// Two boxes for each of 100 halvings would be 200.
+TEST(Continuity, ComesToAPoleAtAnEndInFewBoxes) {
+  for (const auto& [from, to] : {std::array{0.0, 1.0}, {-1.0, 0.0}}) {
+    std::size_t boxes = 0;
+    const auto parts =
+        unproved(height_field("1/u"), {{0, {dvec2(from, 0.3), dvec2(to, 0.3)}}}, 1e-3, boxes);
+    ASSERT_EQ(parts.size(), 1);
+    EXPECT_LE(std::min(parts[0].part[0].x, parts[0].part[1].x), 0);
+    EXPECT_LE(parts[0].part[1].x - parts[0].part[0].x, 0x1p-100);
+    EXPECT_LT(boxes, 120);
+  }
+}
+
 TEST(Continuity, IsNotProvedWhereAnyCoordinateJumps) {
   const Domain square = {-1, 1, -1, 1};
   for (const auto& [x, y, z] : {std::array{"floor(2*u+0.11)", "v", "u"},
