@@ -461,10 +461,10 @@ std::vector<Leaf> AdaptiveMesher::halve_failed() {
       halves.push_back(half);
     }
   }
-  halved_ = now;
   take_thinly_cut(failed, halves);
   mesh_.remove(failed);
-  std::ranges::copy(reactivate_defined(), std::back_inserter(halves));
+  std::ranges::copy(reactivate_defined(halved_), std::back_inserter(halves));
+  halved_ = now;
   return halves;
 }
 
@@ -486,14 +486,15 @@ void AdaptiveMesher::take_thinly_cut(std::vector<std::size_t>& numbers,
   std::ranges::sort(numbers);
 }
 
-/// Empty leaves with a defined corner, which the halving of a neighbour has added.
-std::vector<Leaf> AdaptiveMesher::reactivate_defined() {
-  std::vector<Leaf> defined;
-  const auto is_defined = [this](const Leaf& leaf) {
-    return has_defined_corner(leaf, tree_) && !stop_if_full();
+/// Empty leaves with a defined corner, which the halving of a neighbour has added since a revision.
+std::vector<Leaf> AdaptiveMesher::reactivate_defined(std::uint32_t since) {
+  const auto is_empty = [&](const Leaf& leaf) {
+    return !tree_.revisions().has_changed(leaf, since) || !has_defined_corner(leaf, tree_) ||
+           stop_if_full();
   };
-  std::ranges::copy_if(empty_, std::back_inserter(defined), is_defined);
-  std::erase_if(empty_, is_defined);
+  const auto first = std::stable_partition(empty_.begin(), empty_.end(), is_empty);
+  std::vector<Leaf> defined(first, empty_.end());
+  empty_.erase(first, empty_.end());
   return defined;
 }
 

@@ -99,7 +99,7 @@ class AdaptiveMesher {
   void ask_forgotten_samples();
   std::optional<Failure> failure_of(std::size_t number);
   std::vector<Leaf> halve_failed();
-  std::vector<Leaf> reactivate_defined();
+  std::vector<Leaf> reactivate_defined(std::uint32_t since);
   void take_thinly_cut(std::vector<std::size_t>& numbers, std::vector<Leaf>& active) const;
   std::vector<std::size_t> find_jumping(std::span<const UnprovedBox> unproved_boxes);
   ActiveLeaves activate(const std::set<std::size_t>& numbers,
