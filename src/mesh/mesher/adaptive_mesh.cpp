@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/compensated_sum.h"
+#include "base/heap.h"
 #include "mesh/features/nonsmooth_points.h"
 #include "mesh/grid/corners.h"
 #include "mesh/grid/facing.h"
@@ -374,6 +375,8 @@ std::optional<MeshResult> mesh_within_tolerance(const Surface& surface, const Me
   MeshResult result{{}, report_of(plan)};
   std::vector<Counterexample> counterexamples =
       find_counterexamples(plan.probe, plan.lines, tolerance_within(request.clip, plan.aim));
+  if (plan.lines.u.size() * plan.lines.v.size() > request.leaves_at_a_time)
+    set_large_arrays_apart();
   AdaptiveMesher mesher(surface, request, plan);
   mesher.run(std::move(counterexamples));
   return finish(surface, request, plan, mesher, std::move(result));
