@@ -66,7 +66,10 @@ LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
   budget_.allow_for(tree_.effort().total());
   BoxMeasure measure(surface_, grid_, patches,
                      {[&](std::size_t patch) { return mesh.triangles.of(leaves[patch]); },
-                      [&] { return NearestTriangles(grid_, mesh.all_triangles()); }},
+                      [&] {
+                        mesh.tidy_triangles();
+                        return NearestTriangles(grid_, mesh.triangles.all);
+                      }},
                      clip_, threads_);
   Certification proof =
       certify(surface_, root_lines(grid_), patches, clip_, std::ref(measure), budget_);
