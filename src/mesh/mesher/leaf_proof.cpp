@@ -71,17 +71,20 @@ LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
                         return NearestTriangles(grid_, mesh.triangles.all);
                       }},
                      clip_, threads_);
-  Certification proof =
-      certify(surface_, root_lines(grid_), patches, clip_, std::ref(measure), budget_);
-  proof.bound = std::max(proof.bound, proof_ ? proof_->bound : 0);
+  Result result;
+  from_mesh_ = 0;
+  const double bound = proof_ ? proof_->bound : 0;
+  proof_.reset();  // both would take much memory
+  Certification proof = certify(
+      surface_, root_lines(grid_), patches, clip_, std::ref(measure),
+      [&](std::span<const UnprovedBox> boxes) { refute(boxes, leaves, measure, mesh, result); },
+      budget_);
+  proof.bound = std::max(proof.bound, bound);
   for (std::size_t k = 0; k < leaves.size(); ++k) {
     const std::size_t leaf = leaves[k];
     if (proof.proved[k] != 0) mesh.marks[leaf].is_proved = true;
     if (proof.rough[k] != 0) mesh.marks[leaf].is_rough = true;
   }
-  for (UnprovedBox& box : proof.unproved_boxes) box.patch = leaves[box.patch];
-  Result result{std::move(proof.unproved_boxes), {}};
-  result.counterexamples = refute(result.unproved_boxes, measure, mesh);
   for (const BoxMeasure::Found& found : measure.found()) {
     result.counterexamples.push_back(found.counterexample);
     const std::size_t leaf = leaves[found.counterexample.cell];
@@ -93,40 +96,35 @@ LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
   return result;
 }
 
-std::vector<UnprovedBox> LeafProof::find_unproved(ValidatedMesh& mesh) {
-  const auto before = std::pair(proof_, cells_);
-  std::vector<UnprovedBox> boxes = prove(mesh).unproved_boxes;
-  std::tie(proof_, cells_) = before;
-  return boxes;
+std::vector<std::uint32_t> LeafProof::find_may_jump(ValidatedMesh& mesh) {
+  auto before = std::pair(std::move(proof_), cells_);
+  std::vector<std::uint32_t> leaves = prove(mesh).may_jump;
+  std::tie(proof_, cells_) = std::move(before);
+  return leaves;
 }
 
-/// Beside a feature the nearest triangle may be a neighbour's. That is looked for a few times:
-/// where many are off, their surface is.
-std::vector<Counterexample> LeafProof::refute(std::span<const UnprovedBox> boxes,
-                                              BoxMeasure& measure, ValidatedMesh& mesh) const {
-  std::vector<Counterexample> counterexamples;
-  std::size_t from_mesh = 0;
+/// Looks at boxes without a proof of the patches of leaves. Beside a feature the nearest triangle
+/// may be a neighbour's. That is looked for a few times: where many are off, their surface is.
+void LeafProof::refute(std::span<const UnprovedBox> boxes, std::span<const std::uint32_t> leaves,
+                       BoxMeasure& measure, ValidatedMesh& mesh, Result& result) {
   std::vector<dvec2> middles;
-  for (; !boxes.empty(); boxes = boxes.subspan(middles.size())) {
-    middles.clear();
-    for (const UnprovedBox& box : boxes.first(std::min(kKeptAtATime, boxes.size())))
-      middles.push_back(box.middle);
-    const std::vector<dvec3> points = evaluate_positions(surface_, middles, threads_);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const UnprovedBox& box = boxes[k];
-      const double allowed = mesh.allowed[box.patch];
-      double distance = distance_from(grid_, mesh.triangles.of(box.patch), box.middle, points[k]);
-      if (distance > allowed && !mesh.leaves[box.patch].state.is_whole() &&
-          from_mesh++ < kFirstSearched)
-        distance = measure.distance_from_mesh(points[k], distance);
-      mesh.add(box.patch, distance, box.middle);
-      const bool exceeds_tolerance =
-          box.is_undefined ? is_visible_hole(box, mesh) : distance > allowed;
-      if (exceeds_tolerance)
-        counterexamples.push_back({box.middle, points[k], box.size, box.bend, box.patch});
-    }
+  for (const UnprovedBox& box : boxes) middles.push_back(box.middle);
+  const std::vector<dvec3> points = evaluate_positions(surface_, middles, threads_);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    UnprovedBox box = boxes[k];
+    box.patch = leaves[box.patch];
+    if (box.may_jump) result.may_jump.push_back(static_cast<std::uint32_t>(box.patch));
+    const double allowed = mesh.allowed[box.patch];
+    double distance = distance_from(grid_, mesh.triangles.of(box.patch), box.middle, points[k]);
+    if (distance > allowed && !mesh.leaves[box.patch].state.is_whole() &&
+        from_mesh_++ < kFirstSearched)
+      distance = measure.distance_from_mesh(points[k], distance);
+    mesh.add(box.patch, distance, box.middle);
+    const bool exceeds_tolerance =
+        box.is_undefined ? is_visible_hole(box, mesh) : distance > allowed;
+    if (exceeds_tolerance)
+      result.counterexamples.push_back({box.middle, points[k], box.size, box.bend, box.patch});
   }
-  return counterexamples;
 }
 
 /// Whether a box in which the surface is undefined shows in the mesh.

@@ -43,7 +43,8 @@ Proof prove_parabola(std::size_t patches, double allowed) {
     return std::vector<ProofOutcome>(boxes.size(), ProofOutcome::Proved);
   };
   ProofBudget budget(surface.bounds);
-  proof.certification = certify(surface, {u, v}, all, std::nullopt, measure, budget);
+  proof.certification = certify(
+      surface, {u, v}, all, std::nullopt, measure, [](std::span<const UnprovedBox>) {}, budget);
   return proof;
 }
 
