@@ -127,12 +127,13 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
     return how.whole().distance({uv, part.triangles, known}, position);
   };
   FeatureSearch features(surface, hulls, distance, how.tolerance, how.clip, how.threads);
-  std::vector<SearchedPart> parts(others.begin(), others.end());
   // Features that do not stick out are looked for in a mesh that is off anyway.
   const auto shared = [&how](std::size_t most) {
     return static_cast<std::size_t>(std::ceil(how.share * static_cast<double>(most)));
   };
-  features.keep_widest(shared(kMostOpen), suspects.empty() ? 0 : shared(kMostFollowed), parts);
+  std::vector<SearchedPart> parts =
+      features.widest(shared(kMostOpen), suspects.empty() ? 0 : shared(kMostFollowed),
+                      others.size(), [others](std::size_t k) { return others[k]; });
   if (suspects.empty() && parts.empty()) return {};
   std::ranges::stable_sort(suspects, std::ranges::greater(), &SearchedLeaf::error);
   for (const SearchedLeaf& leaf : suspects.first(std::min(shared(kMostOpen), suspects.size())))
