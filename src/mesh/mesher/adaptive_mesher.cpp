@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/heap.h"
 #include "mesh/error/left_out_leaves.h"
 #include "mesh/features/robust_box.h"
 #include "mesh/grid/degenerate.h"
@@ -248,6 +249,7 @@ void AdaptiveMesher::refine(ActiveLeaves active, const SubdivisionGoal& goal) {
     landmarks_.append_missed(active.leaves, active.counterexamples);
   }
   append(subdivide(std::move(active), oscillation(), limits_, goal, grid_, tree_));
+  if (has_forgotten_) give_back_free_memory();
   find_far_vertices();
   if (stops_early()) return;
   mirror_seams(seams_, request_.threads, grid_, tree_, points_);
@@ -258,6 +260,7 @@ void AdaptiveMesher::refine(ActiveLeaves active, const SubdivisionGoal& goal) {
   validation_.validate_new(std::move(changed));
   // Leaves have their own.
   if (has_forgotten_ && !grid_.mesh.triangles.empty()) grid_.forget_triangles();
+  if (has_forgotten_) give_back_free_memory();
   place_inner_vertices(first);
 }
 
