@@ -182,7 +182,7 @@ class Finisher {
     CompensatedSum covered;
     for (const Leaf& leaf : mesh_.leaves) {
       const dvec2 size =
-          tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
+          tree_.vertices().parameters(leaf.high()) - tree_.vertices().parameters(leaf.low);
       if (!leaf.state.is_on_boundary() || has_only_thin_holes(leaf)) {
         covered.add(std::fabs(size.x * size.y));
         continue;

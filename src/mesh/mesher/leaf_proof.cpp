@@ -49,7 +49,7 @@ ProvedCells LeafProof::cells_of(const ValidatedMesh& mesh) const {
   ProvedCells cells;
   for (const Leaf& leaf : mesh.leaves) {
     const ParameterBox box = {tree_.vertices().parameters(leaf.low),
-                              tree_.vertices().parameters(leaf.high)};
+                              tree_.vertices().parameters(leaf.high())};
     cells.add(box.size(), range);
   }
   return cells;
@@ -130,7 +130,7 @@ void LeafProof::refute(std::span<const UnprovedBox> boxes, std::span<const std::
 /// Whether a box in which the surface is undefined shows in the mesh.
 bool LeafProof::is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mesh) const {
   const Leaf& leaf = mesh.leaves[box.patch];
-  const dvec2 part = box.size / tree_.vertices().size(leaf.low, leaf.high);
+  const dvec2 part = box.size / tree_.vertices().size(leaf.low, leaf.high());
   const auto p = corner_positions(leaf, tree_);
   const double along_u = std::max(glm::distance(p[0], p[1]), glm::distance(p[3], p[2]));
   const double along_v = std::max(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));
@@ -141,7 +141,7 @@ void LeafProof::leave_unproved(std::span<const Leaf> leaves) {
   if (!proof_) return;
   for (const Leaf& leaf : leaves) {
     const ProofGap gap{GapReason::Flat, tree_.vertices().parameters(leaf.low),
-                       tree_.vertices().parameters(leaf.high)};
+                       tree_.vertices().parameters(leaf.high())};
     // The leaf may hold gaps, or lie in one.
     std::erase_if(proof_->proof_gaps, [&gap](const ProofGap& other) {
       return gap.contains(0.5 * other.low + 0.5 * other.high);

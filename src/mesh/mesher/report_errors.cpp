@@ -319,7 +319,7 @@ class ErrorReporter {
     const Leaf& leaf = mesh_.leaves[k];
     const SampledError& sampled = mesh_.sampled_errors[k];
     const dvec2 low = tree_.vertices().parameters(leaf.low);
-    const dvec2 high = tree_.vertices().parameters(leaf.high);
+    const dvec2 high = tree_.vertices().parameters(leaf.high());
     if (const auto place = mesh_.error_place(k)) {
       places.push_back(*place);
     } else {

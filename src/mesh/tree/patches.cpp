@@ -49,7 +49,7 @@ std::optional<JumpLine> jump_line_of(const Leaf& leaf, const Grid& grid, const C
 }  // namespace
 
 Patch patch_of(const Leaf& leaf, double allowed, const Grid& grid, const CellTree& tree) {
-  Patch patch = {{tree.vertices().parameters(leaf.low), tree.vertices().parameters(leaf.high)},
+  Patch patch = {{tree.vertices().parameters(leaf.low), tree.vertices().parameters(leaf.high())},
                  allowed,
                  grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit),
                  {}};
