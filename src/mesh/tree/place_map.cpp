@@ -57,7 +57,7 @@ std::uint32_t PlaceMap::find_or_insert(DyadicPoint place, std::uint32_t number) 
     if (slots_[slot].key == key) return slots_[slot].number;
   }
   if (++table.count > most_places(size)) {
-    resize(table, std::min(table.shift - 1, kFirstShift));
+    resize(table, std::min<std::uint32_t>(table.shift - 1, kFirstShift));
     slot = slot_of(table, key);
   }
   slots_[slot] = {key, number};
