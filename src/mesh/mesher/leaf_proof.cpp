@@ -35,11 +35,13 @@ LeafProof::LeafProof(const Surface& surface, const Grid& grid, const CellTree& t
       threads_(threads),
       budget_(surface.bounds, share) {}
 
-std::vector<std::uint32_t> LeafProof::unproved_leaves(const ValidatedMesh& mesh) const {
-  std::vector<std::uint32_t> leaves;
-  leaves.reserve(mesh.leaves.size());  // room that is not used costs no memory
+LeafProof::Leaves LeafProof::unproved_leaves(const ValidatedMesh& mesh) const {
+  Leaves leaves;
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) leaves.count += is_proved(mesh, k) ? 0 : 1;
+  if (leaves.count == mesh.leaves.size()) return leaves;
+  leaves.numbers.reserve(leaves.count);
   for (std::uint32_t k = 0; k < mesh.leaves.size(); ++k) {
-    if (!is_proved(mesh, k)) leaves.push_back(k);
+    if (!is_proved(mesh, k)) leaves.numbers.push_back(k);
   }
   return leaves;
 }
@@ -56,13 +58,16 @@ ProvedCells LeafProof::cells_of(const ValidatedMesh& mesh) const {
 }
 
 LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
-  const std::vector<std::uint32_t> leaves = unproved_leaves(mesh);
-  const Patches patches{leaves.size(), [&](std::size_t number) {
-                          const std::size_t k = leaves[number];
-                          Patch patch = patch_of(mesh.leaves[k], mesh.allowed[k], grid_, tree_);
-                          patch.is_measured |= !mesh.triangles.ranges[k].is_complete();
-                          return patch;
-                        }};
+  const Leaves leaves = unproved_leaves(mesh);
+  const Patches patches{
+      leaves.count,
+      [&](std::size_t number) {
+        const std::size_t k = leaves[number];
+        Patch patch = patch_of(mesh.leaves[k], mesh.allowed[k], grid_, tree_);
+        patch.is_measured |= !mesh.triangles.ranges[k].is_complete();
+        return patch;
+      },
+      [&](std::size_t number) { return root_cell_of(mesh.leaves[leaves[number]], grid_); }};
   budget_.allow_for(tree_.effort().total());
   BoxMeasure measure(surface_, grid_, patches,
                      {[&](std::size_t patch) { return mesh.triangles.of(leaves[patch]); },
@@ -80,7 +85,7 @@ LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
       [&](std::span<const UnprovedBox> boxes) { refute(boxes, leaves, measure, mesh, result); },
       budget_);
   proof.bound = std::max(proof.bound, bound);
-  for (std::size_t k = 0; k < leaves.size(); ++k) {
+  for (std::size_t k = 0; k < leaves.count; ++k) {
     const std::size_t leaf = leaves[k];
     if (proof.proved[k] != 0) mesh.marks[leaf].is_proved = true;
     if (proof.rough[k] != 0) mesh.marks[leaf].is_rough = true;
@@ -105,7 +110,7 @@ std::vector<std::uint32_t> LeafProof::find_may_jump(ValidatedMesh& mesh) {
 
 /// Looks at boxes without a proof of the patches of leaves. Beside a feature the nearest triangle
 /// may be a neighbour's. That is looked for a few times: where many are off, their surface is.
-void LeafProof::refute(std::span<const UnprovedBox> boxes, std::span<const std::uint32_t> leaves,
+void LeafProof::refute(std::span<const UnprovedBox> boxes, const Leaves& leaves,
                        BoxMeasure& measure, ValidatedMesh& mesh, Result& result) {
   std::vector<dvec2> middles;
   for (const UnprovedBox& box : boxes) middles.push_back(box.middle);
@@ -140,14 +145,14 @@ bool LeafProof::is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mes
 void LeafProof::leave_unproved(std::span<const Leaf> leaves) {
   if (!proof_) return;
   for (const Leaf& leaf : leaves) {
-    const ProofGap gap{GapReason::Flat, tree_.vertices().parameters(leaf.low),
-                       tree_.vertices().parameters(leaf.high())};
+    const GapBox gap{GapReason::Flat, tree_.vertices().parameters(leaf.low),
+                     tree_.vertices().parameters(leaf.high())};
     // The leaf may hold gaps, or lie in one.
-    std::erase_if(proof_->proof_gaps, [&gap](const ProofGap& other) {
+    std::erase_if(proof_->proof_gaps, [&gap](const GapBox& other) {
       return gap.contains(0.5 * other.low + 0.5 * other.high);
     });
     const dvec2 middle = 0.5 * gap.low + 0.5 * gap.high;
-    const auto holds = [&middle](const ProofGap& other) { return other.contains(middle); };
+    const auto holds = [&middle](const GapBox& other) { return other.contains(middle); };
     if (std::ranges::none_of(proof_->proof_gaps, holds)) proof_->proof_gaps.push_back(gap);
   }
 }

@@ -62,9 +62,16 @@ class LeafProof {
 
  private:
   ProvedCells cells_of(const ValidatedMesh& mesh) const;
-  std::vector<std::uint32_t> unproved_leaves(const ValidatedMesh& mesh) const;
-  void refute(std::span<const UnprovedBox> boxes, std::span<const std::uint32_t> leaves,
-              BoxMeasure& measure, ValidatedMesh& mesh, Result& result);
+  /// Numbers of leaves. At first all leaves of a fine mesh have no proof.
+  struct Leaves {
+    std::size_t count = 0;
+    std::vector<std::uint32_t> numbers;  ///< empty: all leaves
+
+    std::size_t operator[](std::size_t k) const { return numbers.empty() ? k : numbers[k]; }
+  };
+  Leaves unproved_leaves(const ValidatedMesh& mesh) const;
+  void refute(std::span<const UnprovedBox> boxes, const Leaves& leaves, BoxMeasure& measure,
+              ValidatedMesh& mesh, Result& result);
   bool is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mesh) const;
   void leave_domain_unproved(GapReason why);
   void name_gaps(const MeshReport& report);

@@ -44,7 +44,7 @@ struct BoundedBox {
 using MeasureBoxes = std::function<std::vector<ProofOutcome>(std::span<const BoundedBox>)>;
 
 struct Certification {
-  std::vector<ProofGap> proof_gaps;  ///< disjoint; empty: all patches are proved
+  std::vector<GapBox> proof_gaps;    ///< disjoint; empty: all patches are proved
   std::vector<std::uint8_t> proved;  ///< 1 for each patch that is
   /// 1 for each patch with boxes that are measured without second derivatives: they may hold tips.
   std::vector<std::uint8_t> rough;
