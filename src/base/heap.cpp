@@ -25,7 +25,7 @@ namespace {
 constexpr int kHeapStep = 64 << 20;
 constexpr std::uintptr_t kHugePage = std::uintptr_t{2} << 20;
 /// The size of a large array: its pages take longer to fill than to get.
-constexpr int kLargeArray = 1 << 20;
+constexpr int kLargeArray = 256 << 10;
 
 }  // namespace
 

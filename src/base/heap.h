@@ -11,7 +11,7 @@ namespace saddle {
 bool use_huge_pages();
 
 /// Gives the system what is free of the heap, and from now on what large arrays take once they are
-/// freed: those of a mebibyte or more get memory of their own. In the heap they leave holes, with
+/// freed: those of 256 KiB or more get memory of their own. In the heap they leave holes, with
 /// which a fine mesh would take a tenth more.
 void set_large_arrays_apart();
 
