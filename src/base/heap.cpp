@@ -24,6 +24,8 @@ namespace {
 /// a picture of 800x600 with its surface needs less. It costs addresses; memory is what is touched.
 constexpr int kHeapStep = 64 << 20;
 constexpr std::uintptr_t kHugePage = std::uintptr_t{2} << 20;
+/// The size of a large array: its pages take longer to fill than to get.
+constexpr int kLargeArray = 256 << 10;
 
 }  // namespace
 
@@ -43,6 +45,11 @@ bool use_huge_pages() {
   return first < last && madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE) == 0;
 }
 
+void set_large_arrays_apart() {
+  mallopt(M_MMAP_THRESHOLD, kLargeArray);
+  malloc_trim(0);
+}
+
 void give_back_free_memory() {
   malloc_trim(0);
 }
@@ -52,6 +59,8 @@ void give_back_free_memory() {
 bool use_huge_pages() {
   return false;
 }
+
+void set_large_arrays_apart() {}
 
 void give_back_free_memory() {}
 

@@ -33,11 +33,16 @@ std::size_t KnownHulls::HashOfBox::operator()(const std::array<double, 4>& box) 
   return hash >> 32U;
 }
 
-const Bounds& KnownHulls::over(const ParameterBox& box) {
-  const auto [place, is_new] = known_.try_emplace({box.low.x, box.low.y, box.high.x, box.high.y});
+Bounds KnownHulls::over(const ParameterBox& box) {
   if (!enclosure_) enclosure_.emplace(surface_, Bounded::Position);
-  if (is_new) place->second = hull_of(enclosure_->enclose(box));
-  return place->second;
+  const std::array<double, 4> ends = {box.low.x, box.low.y, box.high.x, box.high.y};
+  if (known_.size() < kMostKnown) {
+    const auto [place, is_new] = known_.try_emplace(ends);
+    if (is_new) place->second = hull_of(enclosure_->enclose(box));
+    return place->second;
+  }
+  const auto known = known_.find(ends);
+  return known != known_.end() ? known->second : hull_of(enclosure_->enclose(box));
 }
 
 double room_beyond(const Bounds& points, const Bounds& bounds) {

@@ -56,14 +56,17 @@ Defined least_defined(std::span<const Interval> bounds);
 Bounds hull_of(std::span<const Interval> bounds);
 
 /// The boxes in space around a surface over boxes of parameters. Several searches look at the same
-/// leaves: each box is enclosed once. The surface must outlive this.
+/// leaves: each box is enclosed once, but for those of a fine mesh. The surface must outlive this.
 class KnownHulls {
  public:
   explicit KnownHulls(const Surface& surface) : surface_(surface) {}
 
-  const Bounds& over(const ParameterBox& box);
+  Bounds over(const ParameterBox& box);
 
  private:
+  /// They take 7 MB.
+  static constexpr std::size_t kMostKnown = std::size_t{1} << 16;
+
   const Surface& surface_;
   std::optional<SurfaceEnclosure> enclosure_;  // made for the first box
   struct HashOfBox {

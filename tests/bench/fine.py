@@ -1,9 +1,11 @@
 #!/usr/bin/python3 -B
-"""What fine meshes take, beside a plain grid of as many triangles. Usage: fine.py SADDLE [NAME...].
+"""What fine meshes take, beside a plain grid of as many triangles.
+Usage: fine.py SADDLE [--hard | NAME...].
 
 Of each surface and tolerance: the peak memory of the whole process, as a multiple of the bytes of
 the PLY file, and the processor time of a million triangles; the same of a grid of equal cells. The
-times are the least of several rounds: other work only ever adds to them."""
+times are the least of several rounds: other work only ever adds to them. With --hard, of surfaces
+that no mesh of a reasonable size shows, in one round, with what the report finds."""
 import json
 import math
 import pathlib
@@ -15,6 +17,7 @@ import tempfile
 ROUNDS = 3
 SURFACES = ["sphere", "torus", "enneper", "boy"]
 TOLERANCES = [1e-4, 1e-5, 1e-6]
+HARD = [("z=tanh(1e5*(u^2+v^2-.5))", 1e-5), ("z=sqrt(1-u^2-v^2)", 1e-6)]
 
 
 def run(command):
@@ -25,18 +28,34 @@ def run(command):
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-def measured(saddle, arguments, folder):
-    """Triangles, peak memory over the bytes of the file, and seconds for a million triangles."""
+def measured(saddle, arguments, folder, rounds=ROUNDS):
+    """Triangles, peak memory over the bytes of the file, seconds for a million triangles, and the
+    kinds of findings."""
     mesh, report = folder / "mesh.ply", folder / "report.json"
     command = [saddle, *arguments, "-o", mesh, "--report", report]
-    time = min(run(command) for _ in range(ROUNDS))
+    time = min(run(command) for _ in range(rounds))
     told = json.loads(report.read_text())
     triangles = told["surfaces"][0]["triangles"]
-    return triangles, told["peak_memory_bytes"] / mesh.stat().st_size, time / triangles * 1e6
+    memory = told["peak_memory_bytes"] / mesh.stat().st_size
+    return triangles, memory, time / triangles * 1e6, [found["kind"] for found in told["findings"]]
+
+
+def print_hard(saddle, folder):
+    print("| formula | tolerance | triangles | memory, files | s per million triangles | findings |")
+    print("| --- | --- | ---: | ---: | ---: | --- |")
+    for formula, tolerance in HARD:
+        arguments = [formula, "u=-1:1", "v=-1:1", "--tolerance", str(tolerance)]
+        count, memory, time, found = measured(saddle, arguments, folder, rounds=1)
+        print(f"| `{formula}` | {tolerance:g} | {count:,} | {memory:.1f} | {time:.1f} "
+              f"| {', '.join(found)} |")
 
 
 def main():
     saddle, *names = sys.argv[1:]
+    if names == ["--hard"]:
+        with tempfile.TemporaryDirectory() as name:
+            print_hard(saddle, pathlib.Path(name))
+        return
     print("| surface | tolerance | triangles | memory, files | of a grid | s per million triangles "
           "| of a grid |")
     print("| --- | --- | ---: | ---: | ---: | ---: | ---: |")

@@ -58,7 +58,7 @@ void BoundaryDistance::add_omitted(const Leaf& leaf, std::size_t number) {
   add_bulges(leaf, number);
   omitted_.push_back(number);
   const dvec2 low = tree_.vertices().parameters(leaf.low);
-  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
+  const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
   for (const dvec2& place : kLeafPlaces) {
     places_in_omitted_.push_back(low + size * place);
     for (const dvec2& way : kFourWays)
@@ -70,7 +70,7 @@ void BoundaryDistance::add_omitted(const Leaf& leaf, std::size_t number) {
 /// edge: the surface reaches into the leaf there, if it is defined in an edge's middle.
 void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
   const dvec2 low = tree_.vertices().parameters(leaf.low);
-  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
+  const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
   const auto place = [&](std::uint32_t vertex) { return (grid_.mesh.uv[vertex] - low) / size; };
   const auto boundary_on = [&](const Side& side) {
     const std::optional<EdgeFeature> feature = tree_.edges().feature(side[0], side[1]);
@@ -111,7 +111,7 @@ void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
 /// their vertices are on that side.
 void BoundaryDistance::add_flat_sheets(const Leaf& leaf, std::size_t number, double allowed) {
   const dvec2 low = tree_.vertices().parameters(leaf.low);
-  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
+  const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
   const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
   for (const Polygon& sheet : sub_polygons(leaf, tree_)) {
     if (!is_flat(sheet)) continue;
@@ -140,7 +140,7 @@ void BoundaryDistance::add_flat_sheets(const Leaf& leaf, std::size_t number, dou
 std::vector<BoundaryDistance::OuterSide> BoundaryDistance::outer_chords(
     const Leaf& leaf, const Triangle& t, const CellTriangles& by_sides) const {
   const dvec2 low = tree_.vertices().parameters(leaf.low);
-  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
+  const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
   const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
   std::vector<OuterSide> chords;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -167,7 +167,7 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
       is_jump ? std::span<const double>(kAlongLine) : std::span<const double>(kMiddleOfLine);
   std::vector<EdgeChord>& chords = is_jump ? jumps_ : chords_;
   const dvec2 low = tree_.vertices().parameters(leaf.low);
-  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
+  const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
   const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
   const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
   const CellTriangles by_sides(triangles);
@@ -214,7 +214,7 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
 std::optional<dvec2> BoundaryDistance::outside_of(const Leaf& leaf, std::span<const Triangle> sheet,
                                                   const dvec2& border, const dvec2& way) const {
   const dvec2 low = tree_.vertices().parameters(leaf.low);
-  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
+  const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
   const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
   const auto is_between = [](const dvec2& at, const dvec2& a, const dvec2& b) {
     return std::fabs(cross(b - a, at - a)) < kSame && glm::dot(at - a, at - b) <= kSame;

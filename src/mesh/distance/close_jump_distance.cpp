@@ -55,7 +55,7 @@ bool CloseJumpDistance::add(const Leaf& leaf, std::size_t number,
   const dvec2 left(middles[0].y - middles[1].y, middles[1].x - middles[0].x);
   if (left == dvec2(0)) return true;
   const dvec2 low = tree_.vertices().parameters(leaf.low);
-  const dvec2 high = tree_.vertices().parameters(leaf.high);
+  const dvec2 high = tree_.vertices().parameters(leaf.high());
   for (const double share : kAlongLine) {
     const dvec2 at = glm::mix(middles[0], middles[1], share);
     const Line line = {border_of_square(at, left), border_of_square(at, -left)};

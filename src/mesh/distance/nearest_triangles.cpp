@@ -12,11 +12,11 @@
 namespace saddle {
 namespace {
 
-double square_of_distance(const Bounds& box, const dvec3& p) {
-  if (box.empty()) return std::numeric_limits<double>::infinity();
-  const dvec3 off = p - glm::clamp(p, box.low, box.high);
-  return glm::dot(off, off);
-}
+/// A node that may hold a nearer triangle.
+struct Open {
+  std::size_t node;
+  double square;  // of the distance of its box
+};
 
 }  // namespace
 
@@ -31,45 +31,71 @@ NearestTriangle nearest_point(const Grid& grid, const Triangle& triangle, const 
           nearest.distance};
 }
 
-NearestTriangles::NearestTriangles(const Grid& grid, Array<Triangle> triangles)
+NearestTriangles::NearestTriangles(const Grid& grid, std::span<const Triangle> triangles)
     : grid_(grid),
-      triangles_(std::move(triangles)),
+      triangles_(triangles),
       leaves_(std::bit_ceil(triangles_.size() / kTrianglesOfNode + 1)) {
-  boxes_.resize(2 * leaves_ - 1);
-  for (std::size_t k = 0; k < triangles_.size(); ++k) {
-    for (const std::uint32_t corner : triangles_[k])
-      boxes_[leaves_ - 1 + k / kTrianglesOfNode].add(grid.mesh.position[corner]);
-  }
-  for (std::size_t k = leaves_ - 1; k-- > 0;) {
-    for (const Bounds& half : {boxes_[2 * k + 1], boxes_[2 * k + 2]}) {
+  // Boxes above fewer than kTrianglesOfNode leaves are three quarters of all. They are not stored
+  // where they take much memory.
+  const std::size_t lowest = leaves_ > 2 * kKeptAtATime ? leaves_ / kTrianglesOfNode : leaves_;
+  std::vector<Bounds> boxes(2 * lowest - 1);
+  for (std::size_t k = boxes.size(); k-- > 0;) {
+    if (k >= lowest - 1) {
+      boxes[k] = box_of(k);
+      continue;
+    }
+    for (const Bounds& half : {boxes[2 * k + 1], boxes[2 * k + 2]}) {
       if (half.empty()) continue;
-      boxes_[k].add(half.low);
-      boxes_[k].add(half.high);
+      boxes[k].add(half.low);
+      boxes[k].add(half.high);
     }
   }
+  boxes_ = std::move(boxes);
+}
+
+/// The triangles below a node: equal parts of all leaves for the nodes of a level.
+std::span<const Triangle> NearestTriangles::triangles_of(std::size_t node) const {
+  const std::size_t first_of_level = std::bit_floor(node + 1);
+  const std::size_t count = leaves_ / first_of_level * kTrianglesOfNode;
+  const std::size_t first = std::min((node + 1 - first_of_level) * count, triangles_.size());
+  return triangles_.subspan(first, std::min(count, triangles_.size() - first));
+}
+
+Bounds NearestTriangles::box_of(std::size_t node) const {
+  if (node < boxes_.size()) return boxes_[node];
+  Bounds box;
+  for (const Triangle& triangle : triangles_of(node)) {
+    for (const std::uint32_t corner : triangle) box.add(grid_.mesh.position[corner]);
+  }
+  return box;
+}
+
+double NearestTriangles::square_of_distance(std::size_t node, const dvec3& p) const {
+  const Bounds box = box_of(node);
+  if (box.empty()) return std::numeric_limits<double>::infinity();
+  const dvec3 off = p - glm::clamp(p, box.low, box.high);
+  return glm::dot(off, off);
 }
 
 NearestTriangle NearestTriangles::nearest(const dvec3& position, double enough,
                                           NearestTriangle known) const {
-  std::vector<std::size_t> open = {0};
+  std::vector<Open> open = {{0, square_of_distance(0, position)}};
   while (!open.empty() && !(known.distance <= enough)) {
-    const std::size_t k = open.back();
+    const auto [k, square] = open.back();
     open.pop_back();
-    if (square_of_distance(boxes_[k], position) >= known.distance * known.distance) continue;
+    if (square >= known.distance * known.distance) continue;
     if (k >= leaves_ - 1) {
-      const std::size_t first = (k - (leaves_ - 1)) * kTrianglesOfNode;
-      const std::size_t end = std::min(first + kTrianglesOfNode, triangles_.size());
-      for (std::size_t t = first; t < end; ++t) {
-        const NearestTriangle own = nearest_point(grid_, triangles_[t], position);
+      for (const Triangle& triangle : triangles_of(k)) {
+        const NearestTriangle own = nearest_point(grid_, triangle, position);
         if (own.distance < known.distance) known = own;
       }
       continue;
     }
-    const std::size_t a = 2 * k + 1;
-    const bool is_first_nearer =
-        square_of_distance(boxes_[a], position) <= square_of_distance(boxes_[a + 1], position);
-    open.push_back(is_first_nearer ? a + 1 : a);
-    open.push_back(is_first_nearer ? a : a + 1);
+    Open first = {2 * k + 1, square_of_distance(2 * k + 1, position)};
+    Open second = {2 * k + 2, square_of_distance(2 * k + 2, position)};
+    if (!(first.square <= second.square)) std::swap(first, second);
+    open.push_back(second);
+    open.push_back(first);
   }
   return known;
 }

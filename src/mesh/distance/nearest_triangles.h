@@ -1,10 +1,12 @@
 // The nearest of many triangles: a tree of boxes around triangles that follow each other, as those
-// of neighbouring leaves do.
+// of neighbouring leaves do. In a large tree the smallest boxes, which are most, are made when they
+// are asked for.
 // Source: C. Ericson, "Real-Time Collision Detection", 2005, chapter 6.
 #pragma once
 
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "base/bounds.h"
@@ -23,18 +25,23 @@ NearestTriangle nearest_point(const Grid& grid, const Triangle& triangle, const 
 
 class NearestTriangles {
  public:
-  NearestTriangles(const Grid& grid, Array<Triangle> triangles);
+  /// The tree refers to its arguments.
+  NearestTriangles(const Grid& grid, std::span<const Triangle> triangles);
 
   /// A triangle within `enough` of a position; if there is none, the nearest, or `known`, if that
   /// is nearer.
   NearestTriangle nearest(const dvec3& position, double enough, NearestTriangle known) const;
 
  private:
+  std::span<const Triangle> triangles_of(std::size_t node) const;
+  Bounds box_of(std::size_t node) const;
+  double square_of_distance(std::size_t node, const dvec3& position) const;
+
   const Grid& grid_;
-  Array<Triangle> triangles_;
+  std::span<const Triangle> triangles_;
   /// A heap: node k is around nodes 2 k + 1 and 2 k + 2; the last leaves_ nodes hold triangles.
-  std::vector<Bounds> boxes_;
-  std::size_t leaves_ = 1;
+  std::size_t leaves_;
+  std::vector<Bounds> boxes_;  // of the nodes above the last levels
 };
 
 }  // namespace saddle

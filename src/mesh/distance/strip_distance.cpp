@@ -60,7 +60,7 @@ bool StripDistance::add(const Leaf& leaf, std::size_t number, std::span<const Tr
   }
   if (ends.empty() || ends.size() > 2) return false;
   const dvec2 low = tree_.vertices().parameters(leaf.low);
-  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
+  const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
   const auto place = [&](std::uint32_t vertex) { return (grid_.mesh.uv[vertex] - low) / size; };
   Across across{number, triangles, {}, is_gap, ends, {}, 0, {}};
   for_triangle_sides(triangles, [&](const Triangle& t, std::size_t k, bool is_diagonal) {

@@ -90,7 +90,7 @@ void request_samples(Leaf& leaf, CellTree& tree) {
     if (vertex == SampleVertices::kUnasked) vertex = tree.vertices().vertex(place);
   };
   const DyadicPoint m = leaf.middle();
-  const auto& [low, high] = std::pair(leaf.low, leaf.high);
+  const auto& [low, high] = std::pair(leaf.low, leaf.high());
   const auto corners = leaf.corners();
   for (std::size_t k = 0; k < 4; ++k) ask(corner[k], corners[k]);
   ask(side[0], {m.u, low.v});
@@ -219,7 +219,8 @@ double ErrorIndicator::allowed(const Leaf& leaf) const {
 }
 
 bool ErrorIndicator::splits_u(const Leaf& leaf, const Counterexample& counterexample) const {
-  const dvec2 size = tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
+  const dvec2 size =
+      tree_.vertices().parameters(leaf.high()) - tree_.vertices().parameters(leaf.low);
   const dvec2 arc = size * size * counterexample.bend;
   return arc.x == arc.y || !std::isfinite(arc.x + arc.y) ? splits_u(leaf, ErrorRatios())
                                                          : arc.x > arc.y;
@@ -298,9 +299,9 @@ bool ErrorIndicator::is_seen(const Leaf& leaf, std::size_t side) const {
     case 0:
       return is_among(leaf.low.v, limits_.seen_v);
     case 1:
-      return is_among(leaf.high.u, limits_.seen_u);
+      return is_among(leaf.high().u, limits_.seen_u);
     case 2:
-      return is_among(leaf.high.v, limits_.seen_v);
+      return is_among(leaf.high().v, limits_.seen_v);
     default:
       return is_among(leaf.low.u, limits_.seen_u);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <utility>
 
@@ -52,8 +53,9 @@ SearchedPart part_of(const ValidatedMesh& mesh, std::size_t leaf,
     for (const std::uint32_t corner : t) around.add(grid.mesh.position[corner]);
   }
   const Leaf& of = mesh.leaves[leaf];
-  return {
-      {tree.vertices().parameters(of.low), tree.vertices().parameters(of.high)}, triangles, around};
+  return {{tree.vertices().parameters(of.low), tree.vertices().parameters(of.high())},
+          triangles,
+          around};
 }
 
 OpenLeaves::OpenLeaves(const Surface& surface, const Grid& grid, const CellTree& tree,
@@ -68,21 +70,27 @@ OpenLeaves::OpenLeaves(const Surface& surface, const Grid& grid, const CellTree&
 
 std::vector<Counterexample> OpenLeaves::refute(const std::function<bool(std::size_t leaf)>& is_open,
                                                ValidatedMesh& mesh) {
-  std::vector<SearchedPart> parts;
-  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t k = 0; k < mesh.leaves.size(); ++k) {
     if (mesh.triangles.of(k).empty() || mesh.marks[k].is_searched || !is_open(k)) continue;
     mesh.marks[k].is_searched = true;
-    parts.push_back(part_of(mesh, k, mesh.triangles.of(k), grid_, tree_));
-    parts.back().scale = 1 / mesh.allowed[k];
-    parts.back().number = k;
+    open.push_back(k);
   }
-  if (parts.empty()) return {};
+  if (open.empty()) return {};
+  const auto part_of_open = [&](std::size_t number) {
+    const std::size_t k = open[number];
+    SearchedPart part = part_of(mesh, k, mesh.triangles.of(k), grid_, tree_);
+    part.scale = 1 / mesh.allowed[k];
+    part.number = k;
+    return part;
+  };
   const FeatureSearch::Distance distance = [this](const SearchedPart& part, const dvec2& uv,
                                                   const dvec3& position, double) {
     return distance_from(grid_, part.triangles, uv, position);
   };
   FeatureSearch search(surface_, hulls_, distance, 1, clip_, threads_);
-  search.keep_widest(std::max(left_, kFirstSearched), 0, parts);
+  std::vector<SearchedPart> parts =
+      search.widest(std::max(left_, kFirstSearched), 0, open.size(), part_of_open);
   // Bounds of a long formula are wide where nothing is: the search goes on while it finds.
   std::vector<PlacedError> found;
   for (std::size_t some = kFirstSearched; found.size() < parts.size(); some = kSearchedTogether) {

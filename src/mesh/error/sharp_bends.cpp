@@ -101,7 +101,7 @@ void SharpBends::add(const ValidatedMesh& mesh, std::size_t number,
   const std::optional<Targets> targets = targets_of(mesh, number, triangles, centre);
   if (!targets) return;
   leaves_.push_back({number, tree_.vertices().parameters(leaf.low),
-                     tree_.vertices().parameters(leaf.high), triangles, *targets});
+                     tree_.vertices().parameters(leaf.high()), triangles, *targets});
 }
 
 std::optional<SharpBends::Targets> SharpBends::targets_of(

@@ -4,6 +4,19 @@
 #include <utility>
 
 namespace saddle {
+namespace {
+
+/// Moves the triangles of a leaf, mostly two. Both places may overlap.
+void move_triangles(LeafTriangles::Range& range, std::size_t to, Array<Triangle>& all) {
+  const std::size_t from = std::exchange(range.first, static_cast<std::uint32_t>(to));
+  if (to < from) {
+    for (std::size_t k = 0; k < range.count; ++k) all[to + k] = all[from + k];
+  } else if (to > from) {
+    for (std::size_t k = range.count; k-- > 0;) all[to + k] = all[from + k];
+  }
+}
+
+}  // namespace
 
 void ValidatedMesh::reserve() {
   if (leaves.size() <= allowed.capacity()) return;
@@ -52,29 +65,48 @@ void ValidatedMesh::put(std::span<const std::size_t> which, LeafTriangles newer,
   }
 }
 
-Array<Triangle> ValidatedMesh::all_triangles() const {
-  std::size_t count = 0;
-  for (const LeafTriangles::Range& range : triangles.ranges) count += range.count;
-  Array<Triangle> result;
-  result.reserve(count);
-  for (std::size_t k = 0; k < triangles.ranges.size(); ++k) {
-    const std::span<const Triangle> own = triangles.of(k);
-    result.insert(result.end(), own.begin(), own.end());
-  }
-  return result;
-}
-
 void ValidatedMesh::tidy_triangles() {
+  std::vector<LeafTriangles::Range>& ranges = triangles.ranges;
+  Array<Triangle>& all = triangles.all;
+  std::vector<std::size_t> astray;  // leaves whose triangles are out of order, the last leaf first
   std::size_t count = 0;
-  const auto follows = [&count](const LeafTriangles::Range& range) {
-    return range.first == std::exchange(count, count + range.count);
-  };
-  if (std::ranges::all_of(triangles.ranges, follows) && count == triangles.all.size()) return;
-  triangles.all = all_triangles();
-  std::uint32_t first = 0;
-  for (LeafTriangles::Range& range : triangles.ranges) {
-    range.first = first;
-    first += range.count;
+  std::size_t next = all.size();  // the first triangle of later leaves in order
+  for (std::size_t k = ranges.size(); k-- > 0;) {
+    count += ranges[k].count;
+    if (std::size_t{ranges[k].first} + ranges[k].count <= next) {
+      next = ranges[k].first;
+    } else {
+      astray.push_back(k);
+    }
+  }
+  if (count == all.size() && astray.empty()) return;
+  Array<Triangle> theirs;
+  for (const std::size_t k : astray) {
+    const std::span<const Triangle> own = triangles.of(k);
+    theirs.insert(theirs.end(), own.begin(), own.end());
+  }
+  // The others move to the front, and from there, the last leaf first, to their places.
+  std::size_t end = 0;
+  for (std::size_t k = 0, left = astray.size(); k < ranges.size(); ++k) {
+    if (left > 0 && astray[left - 1] == k) {
+      --left;
+    } else {
+      move_triangles(ranges[k], std::exchange(end, end + ranges[k].count), all);
+    }
+  }
+  all.resize(count);
+  end = count;
+  auto next_of_theirs = theirs.begin();
+  for (std::size_t k = ranges.size(), moved = 0; moved < astray.size();) {
+    end -= ranges[--k].count;
+    if (astray[moved] != k) {
+      move_triangles(ranges[k], end, all);
+      continue;
+    }
+    std::copy_n(next_of_theirs, ranges[k].count, all.begin() + static_cast<std::ptrdiff_t>(end));
+    ranges[k].first = static_cast<std::uint32_t>(end);
+    next_of_theirs += ranges[k].count;
+    ++moved;
   }
 }
 

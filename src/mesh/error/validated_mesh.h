@@ -53,8 +53,6 @@ struct ValidatedMesh {
   /// Stores the triangles of some leaves. A leaf keeps its marks if its triangles had the same
   /// revision, or if it had none and has none.
   void put(std::span<const std::size_t> which, LeafTriangles newer, std::uint32_t revision);
-  /// The triangles of all leaves, in their order, and no others.
-  Array<Triangle> all_triangles() const;
   /// Removes replaced triangles, and sorts the others by their leaves.
   void tidy_triangles();
   /// Removes leaves; `which` is ascending. The others keep their order.

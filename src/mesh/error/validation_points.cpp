@@ -92,7 +92,7 @@ PlacesInLeaf validation_places(const Leaf& leaf) {
 void PointPlacer::append(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
                          std::vector<ValidationPoint>& samples) const {
   const dvec2 low = tree_.vertices().parameters(leaf.low);
-  const dvec2 high = tree_.vertices().parameters(leaf.high);
+  const dvec2 high = tree_.vertices().parameters(leaf.high());
   // The largest error of a leaf that is aliased does not matter.
   const bool has_chords = !leaf.state.oscillates();
   const bool is_whole = leaf.state.is_whole();
@@ -145,7 +145,7 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
   const bool is_parted = is_cut && !is_creased;
   const auto& at = grid_.mesh.uv;
   const dvec2 low = tree_.vertices().parameters(leaf.low);
-  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
+  const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
   const auto append_chord = [&](const Triangle& t, std::size_t k) {
     const std::uint32_t a = t[k];
     const std::uint32_t b = t[(k + 1) % 3];

@@ -136,7 +136,7 @@ std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
     const auto two = triangles.of(k);
     numbers.push_back(k);
     plain.push_back({tree_.vertices().parameters(leaf.low),
-                     tree_.vertices().parameters(leaf.high),
+                     tree_.vertices().parameters(leaf.high()),
                      {two[0], two[1]},
                      validation_places(leaf)});
     if (plain.size() == kKeptAtATime) validate();
@@ -253,7 +253,7 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
     if (!leaf.state.is_cut_by_feature() || !count_features(leaf, tree_).only_creases) continue;
     if (crosses_box(triangles.of(k))) continue;
     const dvec2 size =
-        tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
+        tree_.vertices().parameters(leaf.high()) - tree_.vertices().parameters(leaf.low);
     for_triangle_sides(triangles.of(k), [&](const Triangle& t, std::size_t side, bool is_diagonal) {
       if (!is_diagonal) return;
       const std::uint32_t a = t[side];
@@ -289,7 +289,7 @@ void Validator::validate_across_faces(ValidatedMesh& mesh, std::span<const std::
     if (crosses) crossing.push_back(k);
     if (!crosses && !has_cut(FeatureKind::Face, leaf, tree_)) continue;
     const dvec2 size =
-        tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
+        tree_.vertices().parameters(leaf.high()) - tree_.vertices().parameters(leaf.low);
     for_triangle_sides(triangles.of(k), [&](const Triangle& t, std::size_t side, bool) {
       const std::uint32_t a = t[side];
       const std::uint32_t b = t[(side + 1) % 3];
@@ -350,7 +350,9 @@ void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
   mesh.sampled_errors.resize(mesh.leaves.size());
   for (std::size_t k = 0; k < which.size(); ++k) {
     Leaf& leaf = mesh.leaves[which[k]];
-    leaf.polygon_size = triangles.ranges[k].is_plain ? 4 : count_polygon_vertices(leaf, tree_);
+    leaf.polygon_size = static_cast<std::uint16_t>(std::min<std::size_t>(
+        triangles.ranges[k].is_plain ? 4 : count_polygon_vertices(leaf, tree_),
+        std::numeric_limits<std::uint16_t>::max()));
   }
   DistanceMaximizer maxima(surface_, grid_, clip_, threads_);
   const std::vector<std::size_t> others = validate_plain(mesh, which, triangles, maxima);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/compensated_sum.h"
+#include "base/heap.h"
 #include "mesh/features/nonsmooth_points.h"
 #include "mesh/grid/corners.h"
 #include "mesh/grid/facing.h"
@@ -181,7 +182,7 @@ class Finisher {
     CompensatedSum covered;
     for (const Leaf& leaf : mesh_.leaves) {
       const dvec2 size =
-          tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
+          tree_.vertices().parameters(leaf.high()) - tree_.vertices().parameters(leaf.low);
       if (!leaf.state.is_on_boundary() || has_only_thin_holes(leaf)) {
         covered.add(std::fabs(size.x * size.y));
         continue;
@@ -374,6 +375,8 @@ std::optional<MeshResult> mesh_within_tolerance(const Surface& surface, const Me
   MeshResult result{{}, report_of(plan)};
   std::vector<Counterexample> counterexamples =
       find_counterexamples(plan.probe, plan.lines, tolerance_within(request.clip, plan.aim));
+  if (plan.lines.u.size() * plan.lines.v.size() > request.leaves_at_a_time)
+    set_large_arrays_apart();
   AdaptiveMesher mesher(surface, request, plan);
   mesher.run(std::move(counterexamples));
   return finish(surface, request, plan, mesher, std::move(result));

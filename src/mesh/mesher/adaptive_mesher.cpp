@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/heap.h"
 #include "mesh/error/left_out_leaves.h"
 #include "mesh/features/robust_box.h"
 #include "mesh/grid/degenerate.h"
@@ -248,6 +249,7 @@ void AdaptiveMesher::refine(ActiveLeaves active, const SubdivisionGoal& goal) {
     landmarks_.append_missed(active.leaves, active.counterexamples);
   }
   append(subdivide(std::move(active), oscillation(), limits_, goal, grid_, tree_));
+  if (has_forgotten_) give_back_free_memory();
   find_far_vertices();
   if (stops_early()) return;
   mirror_seams(seams_, request_.threads, grid_, tree_, points_);
@@ -258,6 +260,7 @@ void AdaptiveMesher::refine(ActiveLeaves active, const SubdivisionGoal& goal) {
   validation_.validate_new(std::move(changed));
   // Leaves have their own.
   if (has_forgotten_ && !grid_.mesh.triangles.empty()) grid_.forget_triangles();
+  if (has_forgotten_) give_back_free_memory();
   place_inner_vertices(first);
 }
 
@@ -514,7 +517,7 @@ std::set<std::size_t> AdaptiveMesher::drop_done(std::vector<Counterexample>& cou
 /// anywhere.
 ActiveLeaves AdaptiveMesher::activate_refuted() {
   const bool is_spent = proof_.is_spent();
-  auto [boxes, counterexamples] = proof_.prove(mesh_);
+  auto [may_jump, counterexamples] = proof_.prove(mesh_);
   if (is_spent) {
     const bool is_again = std::exchange(has_halved_spent_, true);
     std::erase_if(counterexamples, [&](const Counterexample& counterexample) {
@@ -522,7 +525,7 @@ ActiveLeaves AdaptiveMesher::activate_refuted() {
     });
   }
   std::set<std::size_t> refuted = drop_done(counterexamples);
-  const std::vector<std::size_t> jumping = find_jumping(boxes);
+  const std::vector<std::size_t> jumping = find_jumping(may_jump);
   refuted.insert(jumping.begin(), jumping.end());
   return activate(refuted, std::move(counterexamples));
 }
@@ -555,20 +558,20 @@ ActiveLeaves AdaptiveMesher::activate_with_features() {
 
 /// Leaves with jumps in their unproved boxes.
 ActiveLeaves AdaptiveMesher::activate_jumping() {
-  const std::vector<std::size_t> jumping = find_jumping(proof_.find_unproved(mesh_));
+  const std::vector<std::size_t> jumping = find_jumping(proof_.find_may_jump(mesh_));
   return activate({jumping.begin(), jumping.end()}, {});
 }
 
 /// Searches the sides of leaves for jumps where bounds do not exclude one. A jump along the
 /// surface, as within a plane, moves no validation point away from the triangles. Returns the
 /// leaves with features.
-std::vector<std::size_t> AdaptiveMesher::find_jumping(std::span<const UnprovedBox> unproved_boxes) {
+std::vector<std::size_t> AdaptiveMesher::find_jumping(std::span<const std::uint32_t> may_jump) {
   std::set<std::size_t> leaves;
-  for (const UnprovedBox& box : unproved_boxes) {
-    const Leaf& leaf = mesh_.leaves[box.patch];
+  for (const std::uint32_t k : may_jump) {
+    const Leaf& leaf = mesh_.leaves[k];
     const bool is_done = !leaf.state.may_be_halved() || leaf.state.is_cut_by_feature() ||
                          leaf.state.leads_to_pole() || is_clipped(leaf);
-    if (box.may_jump && !is_done) leaves.insert(box.patch);
+    if (!is_done) leaves.insert(k);
   }
   std::vector<Side> sides;
   for (const std::size_t k : leaves) append_unsearched(mesh_.leaves[k], tree_, sides);

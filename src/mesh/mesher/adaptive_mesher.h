@@ -101,7 +101,7 @@ class AdaptiveMesher {
   std::vector<Leaf> halve_failed();
   std::vector<Leaf> reactivate_defined(std::uint32_t since);
   void take_thinly_cut(std::vector<std::size_t>& numbers, std::vector<Leaf>& active) const;
-  std::vector<std::size_t> find_jumping(std::span<const UnprovedBox> unproved_boxes);
+  std::vector<std::size_t> find_jumping(std::span<const std::uint32_t> may_jump);
   ActiveLeaves activate(const std::set<std::size_t>& numbers,
                         std::vector<Counterexample> counterexamples);
   std::set<std::size_t> drop_done(std::vector<Counterexample>& counterexamples);

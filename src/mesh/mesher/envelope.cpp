@@ -58,7 +58,7 @@ std::vector<Movable> movable_vertices(std::span<const Leaf> leaves,
   std::vector<std::uint32_t> copies(mesh.position.size());
   for (const std::uint32_t point : mesh.point) ++copies[point];
   for (const Leaf& leaf : leaves) {
-    const dvec2 size = tree.vertices().size(leaf.low, leaf.high);
+    const dvec2 size = tree.vertices().size(leaf.low, leaf.high());
     const bool is_free = leaf.state.is_whole() && !leaf.state.is_left_out() && oscillates(leaf);
     for_sides(leaf, tree, [&](std::uint32_t vertex, std::uint32_t) {
       Reach& reach = reaches[vertex];

@@ -19,7 +19,7 @@ std::vector<Leaf> root_leaves(const Grid& grid, std::size_t first, std::size_t e
   for (std::size_t cell = first; cell < end; ++cell) {
     const auto i = static_cast<std::uint32_t>(cell % grid.cells_u);
     const auto j = static_cast<std::uint32_t>(cell / grid.cells_u);
-    leaves.push_back({{i * kCellUnit, j * kCellUnit}, {(i + 1) * kCellUnit, (j + 1) * kCellUnit}});
+    leaves.push_back({{i * kCellUnit, j * kCellUnit}});
   }
   return leaves;
 }
@@ -31,11 +31,8 @@ std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool along_u, CellTre
   for (Leaf& half : halves) half.followed_at = 0;
   halves[0].samples = leaf.samples.of_half(along_u, true);
   halves[1].samples = leaf.samples.of_half(along_u, false);
-  if (along_u) {
-    halves[0].high.u = halves[1].low.u = middle.u;
-  } else {
-    halves[0].high.v = halves[1].low.v = middle.v;
-  }
+  for (Leaf& half : halves) ++(along_u ? half.halved_u : half.halved_v);
+  (along_u ? halves[1].low.u : halves[1].low.v) = along_u ? middle.u : middle.v;
   const std::size_t first = along_u ? 0 : 1;
   for (const std::size_t k : {first, first + 2}) tree.use_middle(leaf, k);
   return halves;

@@ -16,7 +16,8 @@ namespace {
 
 /// Whether leaves have a point in common.
 bool touch(const Leaf& a, const Leaf& b) {
-  return a.low.u <= b.high.u && b.low.u <= a.high.u && a.low.v <= b.high.v && b.low.v <= a.high.v;
+  return a.low.u <= b.high().u && b.low.u <= a.high().u && a.low.v <= b.high().v &&
+         b.low.v <= a.high().v;
 }
 
 /// How deep a triangle reaches into a hole around a place; 0 if the place is not in the triangle.
@@ -54,7 +55,7 @@ std::vector<std::uint32_t> LeafLandmarks::landmarks_in(const Leaf& leaf) const {
   std::vector<std::uint32_t> found;
   if (places_.empty()) return found;
   const dvec2 a = tree_.vertices().parameters(leaf.low);
-  const dvec2 b = tree_.vertices().parameters(leaf.high);
+  const dvec2 b = tree_.vertices().parameters(leaf.high());
   const dvec2 low = glm::min(a, b);
   const dvec2 high = glm::max(a, b);
   const auto first =

@@ -35,11 +35,13 @@ LeafProof::LeafProof(const Surface& surface, const Grid& grid, const CellTree& t
       threads_(threads),
       budget_(surface.bounds, share) {}
 
-std::vector<std::uint32_t> LeafProof::unproved_leaves(const ValidatedMesh& mesh) const {
-  std::vector<std::uint32_t> leaves;
-  leaves.reserve(mesh.leaves.size());  // room that is not used costs no memory
+LeafProof::Leaves LeafProof::unproved_leaves(const ValidatedMesh& mesh) const {
+  Leaves leaves;
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) leaves.count += is_proved(mesh, k) ? 0 : 1;
+  if (leaves.count == mesh.leaves.size()) return leaves;
+  leaves.numbers.reserve(leaves.count);
   for (std::uint32_t k = 0; k < mesh.leaves.size(); ++k) {
-    if (!is_proved(mesh, k)) leaves.push_back(k);
+    if (!is_proved(mesh, k)) leaves.numbers.push_back(k);
   }
   return leaves;
 }
@@ -49,36 +51,45 @@ ProvedCells LeafProof::cells_of(const ValidatedMesh& mesh) const {
   ProvedCells cells;
   for (const Leaf& leaf : mesh.leaves) {
     const ParameterBox box = {tree_.vertices().parameters(leaf.low),
-                              tree_.vertices().parameters(leaf.high)};
+                              tree_.vertices().parameters(leaf.high())};
     cells.add(box.size(), range);
   }
   return cells;
 }
 
 LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
-  const std::vector<std::uint32_t> leaves = unproved_leaves(mesh);
-  const Patches patches{leaves.size(), [&](std::size_t number) {
-                          const std::size_t k = leaves[number];
-                          Patch patch = patch_of(mesh.leaves[k], mesh.allowed[k], grid_, tree_);
-                          patch.is_measured |= !mesh.triangles.ranges[k].is_complete();
-                          return patch;
-                        }};
+  const Leaves leaves = unproved_leaves(mesh);
+  const Patches patches{
+      leaves.count,
+      [&](std::size_t number) {
+        const std::size_t k = leaves[number];
+        Patch patch = patch_of(mesh.leaves[k], mesh.allowed[k], grid_, tree_);
+        patch.is_measured |= !mesh.triangles.ranges[k].is_complete();
+        return patch;
+      },
+      [&](std::size_t number) { return root_cell_of(mesh.leaves[leaves[number]], grid_); }};
   budget_.allow_for(tree_.effort().total());
   BoxMeasure measure(surface_, grid_, patches,
                      {[&](std::size_t patch) { return mesh.triangles.of(leaves[patch]); },
-                      [&] { return NearestTriangles(grid_, mesh.all_triangles()); }},
+                      [&] {
+                        mesh.tidy_triangles();
+                        return NearestTriangles(grid_, mesh.triangles.all);
+                      }},
                      clip_, threads_);
-  Certification proof =
-      certify(surface_, root_lines(grid_), patches, clip_, std::ref(measure), budget_);
-  proof.bound = std::max(proof.bound, proof_ ? proof_->bound : 0);
-  for (std::size_t k = 0; k < leaves.size(); ++k) {
+  Result result;
+  from_mesh_ = 0;
+  const double bound = proof_ ? proof_->bound : 0;
+  proof_.reset();  // both would take much memory
+  Certification proof = certify(
+      surface_, root_lines(grid_), patches, clip_, std::ref(measure),
+      [&](std::span<const UnprovedBox> boxes) { refute(boxes, leaves, measure, mesh, result); },
+      budget_);
+  proof.bound = std::max(proof.bound, bound);
+  for (std::size_t k = 0; k < leaves.count; ++k) {
     const std::size_t leaf = leaves[k];
     if (proof.proved[k] != 0) mesh.marks[leaf].is_proved = true;
     if (proof.rough[k] != 0) mesh.marks[leaf].is_rough = true;
   }
-  for (UnprovedBox& box : proof.unproved_boxes) box.patch = leaves[box.patch];
-  Result result{std::move(proof.unproved_boxes), {}};
-  result.counterexamples = refute(result.unproved_boxes, measure, mesh);
   for (const BoxMeasure::Found& found : measure.found()) {
     result.counterexamples.push_back(found.counterexample);
     const std::size_t leaf = leaves[found.counterexample.cell];
@@ -90,46 +101,41 @@ LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
   return result;
 }
 
-std::vector<UnprovedBox> LeafProof::find_unproved(ValidatedMesh& mesh) {
-  const auto before = std::pair(proof_, cells_);
-  std::vector<UnprovedBox> boxes = prove(mesh).unproved_boxes;
-  std::tie(proof_, cells_) = before;
-  return boxes;
+std::vector<std::uint32_t> LeafProof::find_may_jump(ValidatedMesh& mesh) {
+  auto before = std::pair(std::move(proof_), cells_);
+  std::vector<std::uint32_t> leaves = prove(mesh).may_jump;
+  std::tie(proof_, cells_) = std::move(before);
+  return leaves;
 }
 
-/// Beside a feature the nearest triangle may be a neighbour's. That is looked for a few times:
-/// where many are off, their surface is.
-std::vector<Counterexample> LeafProof::refute(std::span<const UnprovedBox> boxes,
-                                              BoxMeasure& measure, ValidatedMesh& mesh) const {
-  std::vector<Counterexample> counterexamples;
-  std::size_t from_mesh = 0;
+/// Looks at boxes without a proof of the patches of leaves. Beside a feature the nearest triangle
+/// may be a neighbour's. That is looked for a few times: where many are off, their surface is.
+void LeafProof::refute(std::span<const UnprovedBox> boxes, const Leaves& leaves,
+                       BoxMeasure& measure, ValidatedMesh& mesh, Result& result) {
   std::vector<dvec2> middles;
-  for (; !boxes.empty(); boxes = boxes.subspan(middles.size())) {
-    middles.clear();
-    for (const UnprovedBox& box : boxes.first(std::min(kKeptAtATime, boxes.size())))
-      middles.push_back(box.middle);
-    const std::vector<dvec3> points = evaluate_positions(surface_, middles, threads_);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const UnprovedBox& box = boxes[k];
-      const double allowed = mesh.allowed[box.patch];
-      double distance = distance_from(grid_, mesh.triangles.of(box.patch), box.middle, points[k]);
-      if (distance > allowed && !mesh.leaves[box.patch].state.is_whole() &&
-          from_mesh++ < kFirstSearched)
-        distance = measure.distance_from_mesh(points[k], distance);
-      mesh.add(box.patch, distance, box.middle);
-      const bool exceeds_tolerance =
-          box.is_undefined ? is_visible_hole(box, mesh) : distance > allowed;
-      if (exceeds_tolerance)
-        counterexamples.push_back({box.middle, points[k], box.size, box.bend, box.patch});
-    }
+  for (const UnprovedBox& box : boxes) middles.push_back(box.middle);
+  const std::vector<dvec3> points = evaluate_positions(surface_, middles, threads_);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    UnprovedBox box = boxes[k];
+    box.patch = leaves[box.patch];
+    if (box.may_jump) result.may_jump.push_back(static_cast<std::uint32_t>(box.patch));
+    const double allowed = mesh.allowed[box.patch];
+    double distance = distance_from(grid_, mesh.triangles.of(box.patch), box.middle, points[k]);
+    if (distance > allowed && !mesh.leaves[box.patch].state.is_whole() &&
+        from_mesh_++ < kFirstSearched)
+      distance = measure.distance_from_mesh(points[k], distance);
+    mesh.add(box.patch, distance, box.middle);
+    const bool exceeds_tolerance =
+        box.is_undefined ? is_visible_hole(box, mesh) : distance > allowed;
+    if (exceeds_tolerance)
+      result.counterexamples.push_back({box.middle, points[k], box.size, box.bend, box.patch});
   }
-  return counterexamples;
 }
 
 /// Whether a box in which the surface is undefined shows in the mesh.
 bool LeafProof::is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mesh) const {
   const Leaf& leaf = mesh.leaves[box.patch];
-  const dvec2 part = box.size / tree_.vertices().size(leaf.low, leaf.high);
+  const dvec2 part = box.size / tree_.vertices().size(leaf.low, leaf.high());
   const auto p = corner_positions(leaf, tree_);
   const double along_u = std::max(glm::distance(p[0], p[1]), glm::distance(p[3], p[2]));
   const double along_v = std::max(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));
@@ -139,14 +145,14 @@ bool LeafProof::is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mes
 void LeafProof::leave_unproved(std::span<const Leaf> leaves) {
   if (!proof_) return;
   for (const Leaf& leaf : leaves) {
-    const ProofGap gap{GapReason::Flat, tree_.vertices().parameters(leaf.low),
-                       tree_.vertices().parameters(leaf.high)};
+    const GapBox gap{GapReason::Flat, tree_.vertices().parameters(leaf.low),
+                     tree_.vertices().parameters(leaf.high())};
     // The leaf may hold gaps, or lie in one.
-    std::erase_if(proof_->proof_gaps, [&gap](const ProofGap& other) {
+    std::erase_if(proof_->proof_gaps, [&gap](const GapBox& other) {
       return gap.contains(0.5 * other.low + 0.5 * other.high);
     });
     const dvec2 middle = 0.5 * gap.low + 0.5 * gap.high;
-    const auto holds = [&middle](const ProofGap& other) { return other.contains(middle); };
+    const auto holds = [&middle](const GapBox& other) { return other.contains(middle); };
     if (std::ranges::none_of(proof_->proof_gaps, holds)) proof_->proof_gaps.push_back(gap);
   }
 }

@@ -28,7 +28,7 @@ class LeafProof {
 
   /// The result of a proof that was tried.
   struct Result {
-    std::vector<UnprovedBox> unproved_boxes;
+    std::vector<std::uint32_t> may_jump;  ///< leaves with a box where bounds do not exclude a jump
     /// Points that are farther from their leaf's triangles than allowed, or in a visible hole.
     /// `cell` is the index of the leaf.
     std::vector<Counterexample> counterexamples;
@@ -50,8 +50,9 @@ class LeafProof {
   }
   /// Whether the work of proofs is done: only some of the worst places are searched.
   bool is_spent() const { return budget_.is_spent(true); }
-  /// The boxes without a proof. The gaps of the last prove() stay for the report.
-  std::vector<UnprovedBox> find_unproved(ValidatedMesh& mesh);
+  /// Leaves with a box where bounds do not exclude a jump. The gaps of the last prove() stay for
+  /// the report.
+  std::vector<std::uint32_t> find_may_jump(ValidatedMesh& mesh);
 
   /// Leaves the boxes of leaves unproved whose triangles were left out.
   void leave_unproved(std::span<const Leaf> leaves);
@@ -61,9 +62,16 @@ class LeafProof {
 
  private:
   ProvedCells cells_of(const ValidatedMesh& mesh) const;
-  std::vector<std::uint32_t> unproved_leaves(const ValidatedMesh& mesh) const;
-  std::vector<Counterexample> refute(std::span<const UnprovedBox> boxes, BoxMeasure& measure,
-                                     ValidatedMesh& mesh) const;
+  /// Numbers of leaves. At first all leaves of a fine mesh have no proof.
+  struct Leaves {
+    std::size_t count = 0;
+    std::vector<std::uint32_t> numbers;  ///< empty: all leaves
+
+    std::size_t operator[](std::size_t k) const { return numbers.empty() ? k : numbers[k]; }
+  };
+  Leaves unproved_leaves(const ValidatedMesh& mesh) const;
+  void refute(std::span<const UnprovedBox> boxes, const Leaves& leaves, BoxMeasure& measure,
+              ValidatedMesh& mesh, Result& result);
   bool is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mesh) const;
   void leave_domain_unproved(GapReason why);
   void name_gaps(const MeshReport& report);
@@ -74,6 +82,7 @@ class LeafProof {
   const std::optional<Bounds>& clip_;
   unsigned threads_;
   ProofBudget budget_;
+  std::size_t from_mesh_ = 0;           // distances that prove() took from the whole mesh
   std::optional<Certification> proof_;  // the last; empty: none was tried
   ProvedCells cells_;                   // of the mesh that it was tried for
 };

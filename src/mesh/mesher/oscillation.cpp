@@ -125,7 +125,7 @@ std::optional<bool> Oscillation::splits_predicted_u(const Leaf& leaf, const Cell
 }
 
 dvec2 Oscillation::size_of(const Leaf& leaf, const CellTree& tree) const {
-  const dvec2 size = tree.vertices().parameters(leaf.high) - tree.vertices().parameters(leaf.low);
+  const dvec2 size = tree.vertices().parameters(leaf.high()) - tree.vertices().parameters(leaf.low);
   return glm::abs(size) / grid_.range / narrow_;
 }
 

@@ -127,12 +127,13 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
     return how.whole().distance({uv, part.triangles, known}, position);
   };
   FeatureSearch features(surface, hulls, distance, how.tolerance, how.clip, how.threads);
-  std::vector<SearchedPart> parts(others.begin(), others.end());
   // Features that do not stick out are looked for in a mesh that is off anyway.
   const auto shared = [&how](std::size_t most) {
     return static_cast<std::size_t>(std::ceil(how.share * static_cast<double>(most)));
   };
-  features.keep_widest(shared(kMostOpen), suspects.empty() ? 0 : shared(kMostFollowed), parts);
+  std::vector<SearchedPart> parts =
+      features.widest(shared(kMostOpen), suspects.empty() ? 0 : shared(kMostFollowed),
+                      others.size(), [others](std::size_t k) { return others[k]; });
   if (suspects.empty() && parts.empty()) return {};
   std::ranges::stable_sort(suspects, std::ranges::greater(), &SearchedLeaf::error);
   for (const SearchedLeaf& leaf : suspects.first(std::min(shared(kMostOpen), suspects.size())))
@@ -318,7 +319,7 @@ class ErrorReporter {
     const Leaf& leaf = mesh_.leaves[k];
     const SampledError& sampled = mesh_.sampled_errors[k];
     const dvec2 low = tree_.vertices().parameters(leaf.low);
-    const dvec2 high = tree_.vertices().parameters(leaf.high);
+    const dvec2 high = tree_.vertices().parameters(leaf.high());
     if (const auto place = mesh_.error_place(k)) {
       places.push_back(*place);
     } else {

@@ -73,17 +73,17 @@ class Solver {
  private:
   dvec2 to_parameters(std::size_t leaf, const dvec2& place) const {
     const dvec2 low = tree_.vertices().parameters(mesh_.leaves[leaf].low);
-    const dvec2 high = tree_.vertices().parameters(mesh_.leaves[leaf].high);
+    const dvec2 high = tree_.vertices().parameters(mesh_.leaves[leaf].high());
     return glm::mix(low, high, place);
   }
   dvec2 from_parameters(std::size_t leaf, const dvec2& uv) const {
     const dvec2 low = tree_.vertices().parameters(mesh_.leaves[leaf].low);
-    const dvec2 high = tree_.vertices().parameters(mesh_.leaves[leaf].high);
+    const dvec2 high = tree_.vertices().parameters(mesh_.leaves[leaf].high());
     return (uv - low) / (high - low);
   }
   dvec2 to_units(std::size_t leaf, const dvec2& place) const {
     const Leaf& of = mesh_.leaves[leaf];
-    return glm::mix(dvec2(of.low.u, of.low.v), dvec2(of.high.u, of.high.v), place);
+    return glm::mix(dvec2(of.low.u, of.low.v), dvec2(of.high().u, of.high().v), place);
   }
 
   /// Adds the sides of sub-polygons that go through the leaf.

@@ -475,7 +475,7 @@ class Subdivider {
     Origin origin{{}, distance, turn};
     if (!whole.counterexamples.empty()) {
       const dvec2 low = tree_.vertices().parameters(half.low);
-      const dvec2 size = tree_.vertices().parameters(half.high) - low;
+      const dvec2 size = tree_.vertices().parameters(half.high()) - low;
       for (const std::uint32_t counterexample : whole.counterexamples) {
         const dvec2 part = (counterexamples_[counterexample].uv - low) / size;
         const bool is_inside = part.x >= 0 && part.x <= 1 && part.y >= 0 && part.y <= 1;
@@ -490,7 +490,7 @@ class Subdivider {
   /// tolerance.
   bool is_landmark_of(const Leaf& leaf, const Counterexample& place) const {
     if (!place.speed || !is_finite(place.position)) return false;
-    const dvec2 size = tree_.vertices().size(leaf.low, leaf.high);
+    const dvec2 size = tree_.vertices().size(leaf.low, leaf.high());
     return glm::dot(*place.speed, size) > limits_.tolerance(place.position);
   }
 
@@ -503,7 +503,7 @@ class Subdivider {
   /// The size of a leaf beside that of the box that a counterexample stands for, on the axis along
   /// which the leaf would be halved.
   double boxes_in(const Leaf& leaf, const Counterexample& place) const {
-    const dvec2 boxes = tree_.vertices().size(leaf.low, leaf.high) / place.size;
+    const dvec2 boxes = tree_.vertices().size(leaf.low, leaf.high()) / place.size;
     return indicator_.splits_u(leaf, place) ? boxes.x : boxes.y;
   }
 

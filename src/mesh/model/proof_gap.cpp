@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <utility>
 
 #include "mesh/model/tolerances.h"
@@ -36,77 +35,6 @@ constexpr std::array kTexts = {
     GapText{"not tried", "nothing was proved of this mesh"},
 };
 
-/// Finds the connected components of the boxes of one reason, on a grid over the domain: boxes in
-/// the same or in neighbouring cells are united.
-class Merger {
- public:
-  explicit Merger(const Domain& domain) : domain_(domain) {}
-
-  void add(const ProofGap& place) {
-    const auto [first, last] = cells_of(place);
-    for (std::size_t j = first[1]; j <= last[1]; ++j) {
-      for (std::size_t i = first[0]; i <= last[0]; ++i) {
-        ProofGap part = place;
-        part.low = glm::min(place.low, place.high);
-        part.high = glm::max(place.low, place.high);
-        // The share of a box that lies in several cells counts once.
-        if (i != first[0] || j != first[1]) part.share = part.visible = 0;
-        auto& box = boxes_[j * kDomainParts + i];
-        box = box ? united(*box, part) : part;
-      }
-    }
-  }
-
-  void take(std::vector<ProofGap>& to) {
-    for (std::size_t cell = 0; cell < boxes_.size(); ++cell) {
-      if (boxes_[cell]) to.push_back(flood(cell));
-    }
-  }
-
- private:
-  using GridCell = std::array<std::size_t, 2>;
-
-  GridCell cell_at(const dvec2& uv) const {
-    const dvec2 part = (uv - dvec2(domain_.u0, domain_.v0)) /
-                       dvec2(domain_.u1 - domain_.u0, domain_.v1 - domain_.v0);
-    const auto index = [](double x) {
-      return static_cast<std::size_t>(std::clamp(x * kDomainParts, 0.0, kDomainParts - 1.0));
-    };
-    return {index(part.x), index(part.y)};
-  }
-  std::pair<GridCell, GridCell> cells_of(const ProofGap& place) const {
-    const GridCell a = cell_at(place.low);
-    const GridCell b = cell_at(place.high);
-    return {{std::min(a[0], b[0]), std::min(a[1], b[1])},
-            {std::max(a[0], b[0]), std::max(a[1], b[1])}};
-  }
-
-  /// Removes the component of a cell and returns its box.
-  ProofGap flood(std::size_t start) {
-    ProofGap whole = *boxes_[start];
-    whole.share = whole.visible = 0;
-    std::vector<std::size_t> open = {start};
-    while (!open.empty()) {
-      const std::size_t cell = open.back();
-      open.pop_back();
-      if (!boxes_[cell]) continue;
-      whole = united(whole, *boxes_[cell]);
-      boxes_[cell].reset();
-      const std::size_t i = cell % kDomainParts;
-      const std::size_t j = cell / kDomainParts;
-      for (std::size_t b = j == 0 ? 0 : j - 1; b <= std::min(j + 1, kDomainParts - 1); ++b) {
-        for (std::size_t a = i == 0 ? 0 : i - 1; a <= std::min(i + 1, kDomainParts - 1); ++a) {
-          if (boxes_[b * kDomainParts + a]) open.push_back(b * kDomainParts + a);
-        }
-      }
-    }
-    return whole;
-  }
-
-  const Domain& domain_;
-  std::array<std::optional<ProofGap>, kDomainParts* kDomainParts> boxes_ = {};
-};
-
 }  // namespace
 
 std::string name_of(GapReason why) {
@@ -118,9 +46,7 @@ std::string words_for(GapReason why) {
 }
 
 ProofGap united(const ProofGap& a, const ProofGap& b) {
-  return {a.why,
-          glm::min(a.low, b.low),
-          glm::max(a.high, b.high),
+  return {{a.why, glm::min(a.low, b.low), glm::max(a.high, b.high)},
           a.share + b.share,
           a.visible + b.visible,
           std::max(a.width, b.width),
@@ -128,15 +54,15 @@ ProofGap united(const ProofGap& a, const ProofGap& b) {
           a.room < b.room ? b.worst : a.worst};
 }
 
-bool ProofGap::contains(const dvec2& uv) const {
+bool GapBox::contains(const dvec2& uv) const {
   return glm::all(glm::lessThanEqual(glm::min(low, high), uv)) &&
          glm::all(glm::lessThanEqual(uv, glm::max(low, high)));
 }
 
-void GapReasons::give_to(std::span<ProofGap> places) {
+void GapReasons::give_to(std::span<GapBox> places) {
   const auto u_of = [](const Named& named) { return named.uv.x; };
   std::ranges::sort(named_, {}, u_of);
-  for (ProofGap& place : places) {
+  for (GapBox& place : places) {
     if (!follows_from_bounds(place.why)) continue;
     const auto [low, high] = std::minmax(place.low.x, place.high.x);
     std::size_t first = named_.size();
@@ -149,19 +75,68 @@ void GapReasons::give_to(std::span<ProofGap> places) {
   }
 }
 
-std::vector<ProofGap> merged(std::span<const ProofGap> places, const Domain& domain) {
-  std::vector<ProofGap> result;
-  for (std::size_t k = 0; k < kTexts.size(); ++k) {
-    const auto why = static_cast<GapReason>(k);
-    if (std::ranges::find(places, why, &ProofGap::why) == places.end()) continue;
-    Merger merger(domain);
-    for (const ProofGap& place : places) {
-      if (place.why == why) merger.add(place);
+void MergedGaps::add(const ProofGap& gap) {
+  Boxes& boxes = boxes_[gap.why];
+  boxes.resize(kDomainParts * kDomainParts);
+  const Cell a = cell_at(gap.low);
+  const Cell b = cell_at(gap.high);
+  const Cell first = {std::min(a[0], b[0]), std::min(a[1], b[1])};
+  const Cell last = {std::max(a[0], b[0]), std::max(a[1], b[1])};
+  for (std::size_t j = first[1]; j <= last[1]; ++j) {
+    for (std::size_t i = first[0]; i <= last[0]; ++i) {
+      ProofGap part = gap;
+      part.low = glm::min(gap.low, gap.high);
+      part.high = glm::max(gap.low, gap.high);
+      // The share of a box that lies in several cells counts once.
+      if (i != first[0] || j != first[1]) part.share = part.visible = 0;
+      auto& box = boxes[j * kDomainParts + i];
+      box = box ? united(*box, part) : part;
     }
-    merger.take(result);
+  }
+}
+
+/// The connected components of the boxes of each reason: those in the same or in neighbouring cells
+/// are united.
+std::vector<ProofGap> MergedGaps::take() {
+  std::vector<ProofGap> result;
+  for (auto& [why, boxes] : boxes_) {
+    for (std::size_t cell = 0; cell < boxes.size(); ++cell) {
+      if (boxes[cell]) result.push_back(flood(cell, boxes));
+    }
   }
   if (result.size() > kMaxListed) result.resize(kMaxListed);
   return result;
+}
+
+MergedGaps::Cell MergedGaps::cell_at(const dvec2& uv) const {
+  const dvec2 part = (uv - dvec2(domain_.u0, domain_.v0)) /
+                     dvec2(domain_.u1 - domain_.u0, domain_.v1 - domain_.v0);
+  const auto index = [](double x) {
+    return static_cast<std::size_t>(std::clamp(x * kDomainParts, 0.0, kDomainParts - 1.0));
+  };
+  return {index(part.x), index(part.y)};
+}
+
+/// Removes the component of a cell and returns its box.
+ProofGap MergedGaps::flood(std::size_t start, Boxes& boxes) {
+  ProofGap whole = *boxes[start];
+  whole.share = whole.visible = 0;
+  std::vector<std::size_t> open = {start};
+  while (!open.empty()) {
+    const std::size_t cell = open.back();
+    open.pop_back();
+    if (!boxes[cell]) continue;
+    whole = united(whole, *boxes[cell]);
+    boxes[cell].reset();
+    const std::size_t i = cell % kDomainParts;
+    const std::size_t j = cell / kDomainParts;
+    for (std::size_t b = j == 0 ? 0 : j - 1; b <= std::min(j + 1, kDomainParts - 1); ++b) {
+      for (std::size_t a = i == 0 ? 0 : i - 1; a <= std::min(i + 1, kDomainParts - 1); ++a) {
+        if (boxes[b * kDomainParts + a]) open.push_back(b * kDomainParts + a);
+      }
+    }
+  }
+  return whole;
 }
 
 }  // namespace saddle

@@ -1,7 +1,11 @@
 // Proof gaps: boxes of parameters where it is not proved that a mesh shows all of its surface.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,16 +45,20 @@ constexpr bool follows_from_bounds(GapReason why) {
 }
 
 /// A box of parameters without a proof; low may be the larger where a range runs backwards.
-struct ProofGap {
+struct GapBox {
   GapReason why;
   dvec2 low, high;
+
+  bool contains(const dvec2& uv) const;
+};
+
+/// The same, and how large a feature it may hide.
+struct ProofGap : GapBox {
   double share = 0;    ///< of the domain that has no proof: at most that of the box
   double visible = 0;  ///< of the domain: where bounds leave room for a visible feature
   double width = 0;    ///< in parameters: such a feature is narrower
   double room = 0;     ///< largest distance of a feature from the mesh, by bounds
   dvec2 worst{0};      ///< where `room` is
-
-  bool contains(const dvec2& uv) const;
 };
 
 /// Places with a known reason for a gap.
@@ -59,7 +67,7 @@ class GapReasons {
   /// The reason that was added first is the one of a box that holds several places.
   void add(GapReason why, const dvec2& uv) { named_.push_back({why, uv, named_.size()}); }
   /// Gives boxes whose reason follows from bounds alone the reason of a place in them.
-  void give_to(std::span<ProofGap> places);
+  void give_to(std::span<GapBox> places);
 
  private:
   struct Named {
@@ -74,7 +82,25 @@ class GapReasons {
 ProofGap united(const ProofGap& a, const ProofGap& b);
 
 /// Unites boxes of one reason that touch, or nearly do: the sum of their shares, the largest width
-/// and room. At most kMaxListed, in the order of reasons.
-std::vector<ProofGap> merged(std::span<const ProofGap> places, const Domain& domain);
+/// and room.
+class MergedGaps {
+ public:
+  explicit MergedGaps(const Domain& domain) : domain_(domain) {}
+
+  void add(const ProofGap& gap);
+  /// At most kMaxListed, in the order of reasons.
+  std::vector<ProofGap> take();
+
+ private:
+  /// Cells of a grid over the domain, with the box around what is in each.
+  using Boxes = std::vector<std::optional<ProofGap>>;
+  using Cell = std::array<std::size_t, 2>;
+
+  Cell cell_at(const dvec2& uv) const;
+  static ProofGap flood(std::size_t start, Boxes& boxes);
+
+  Domain domain_;
+  std::map<GapReason, Boxes> boxes_;
+};
 
 }  // namespace saddle

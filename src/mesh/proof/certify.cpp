@@ -10,6 +10,7 @@
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/proof/box_bounds.h"
+#include "mesh/proof/sides_of_jump.h"
 #include "surface/surface_enclosure.h"
 
 namespace saddle {
@@ -41,13 +42,15 @@ constexpr std::size_t kPlacesOfDescents = 5'000;
 class Certifier {
  public:
   Certifier(const Surface& surface, const RootLines& root, const Patches& patches,
-            const std::optional<Bounds>& clip, const MeasureBoxes& measure, ProofBudget& budget)
+            const std::optional<Bounds>& clip, const MeasureBoxes& measure,
+            const TakeUnproved& take_unproved, ProofBudget& budget)
       : root_(root),
         patches_(patches),
         clip_(clip),
         measure_(measure),
         budget_(budget),
-        enclosure_(surface, Bounded::SecondDerivatives) {
+        enclosure_(surface, Bounded::SecondDerivatives),
+        unproved_(patches, take_unproved) {
     result_.proved.assign(patches.size(), 1);
     result_.rough.assign(patches.size(), 0);
   }
@@ -56,9 +59,13 @@ class Certifier {
     gather_demands();
     prove_cells();
     prove_parts();
-    for (const Gap& gap : gaps_) {
-      if (!is_refuted(gap.patch))
-        result_.proof_gaps.push_back({gap.why, gap.box.low, gap.box.high});
+    descend();
+    unproved_.pass_on();
+    result_.proof_gaps.reserve(unproved_.gaps().size());
+    for (const UnprovedParts::Gap& gap : unproved_.gaps()) {
+      if (is_refuted(gap.patch)) continue;
+      const ParameterBox box = unproved_.box_of(gap);
+      result_.proof_gaps.push_back({gap.why, box.low, box.high});
     }
     for (std::uint32_t k = 0; k < refuted_.size(); ++k) {
       if (!is_refuted(k)) continue;
@@ -74,16 +81,10 @@ class Certifier {
   struct Part {
     std::uint32_t patch;
     GapReason why;  ///< of the last box without a proof that held it
+    bool is_whole;  ///< its box is that of the patch
     ParameterBox box;
     /// Bounds over a box that holds it, narrow enough: only its points decide.
     std::shared_ptr<const BoxBounds> known = {};
-  };
-
-  /// A part without a proof.
-  struct Gap {
-    std::uint32_t patch;
-    GapReason why;
-    ParameterBox box;
   };
 
   void gather_demands() {
@@ -92,9 +93,9 @@ class Certifier {
       for (const std::uint32_t k : cells_->patches_of(cell)) {
         const Patch patch = patches_[k];
         if (patch.cut_by) {
-          if (!patch.jump_line || !append_sides_of_jump(k)) add_gap(*patch.cut_by, k, patch.box);
+          if (!patch.jump_line || !append_sides_of_jump(k)) add_gap(*patch.cut_by, k);
         } else if (patch.is_measured) {
-          parts_.push_back({k, GapReason::Work, patch.box});
+          parts_.push_back({k, GapReason::Work, true, patch.box});
         } else {
           cells_->add(cell, {patch.box.size(), patch.allowed});
         }
@@ -102,27 +103,15 @@ class Certifier {
     }
   }
 
-  /// Makes the two sides of a jump parts_: from the double on at which bounds prove the surface to
-  /// be continuous on both. Beside 0 doubles are closer than what tells jumps from slopes.
+  /// Makes the two sides of a jump parts_, if bounds prove that nothing else is in its patch.
   bool append_sides_of_jump(std::uint32_t k) {
     const Patch patch = patches_[k];
-    const auto& [axis, below, above] = *patch.jump_line;
-    const auto& [low, high] = patch.box;
-    const ParameterBox whole = {glm::min(low, high), glm::max(low, high)};
-    for (const double cut :
-         {above, std::nextafter(below, kInfinity), 0.0, std::nextafter(0.0, kInfinity)}) {
-      if (!(below < cut && cut <= above)) continue;
-      std::array<ParameterBox, 2> sides = {whole, whole};
-      sides[0].high[axis] = std::nextafter(cut, -kInfinity);
-      sides[1].low[axis] = cut;
-      std::array<ParameterBox, 2> beside = sides;  // the jump
-      beside[0].low[axis] = below;
-      beside[1].high[axis] = above;
-      if (bounds_over(beside[0]).broken || bounds_over(beside[1]).broken) continue;
-      for (const ParameterBox& side : sides) parts_.push_back({k, GapReason::Work, side});
-      return true;
-    }
-    return false;
+    const auto sides = sides_of_jump(*patch.jump_line, patch.box, [this](const ParameterBox& box) {
+      return bounds_over(box).broken.has_value();
+    });
+    if (!sides) return false;
+    for (const ParameterBox& side : *sides) parts_.push_back({k, GapReason::Work, false, side});
+    return true;
   }
 
   BoxBounds bounds_over(const ParameterBox& box) {
@@ -142,13 +131,13 @@ class Certifier {
            is_beyond(*clip_, std::array{bounds.hull.low, bounds.hull.high});
   }
 
-  void add_gap(GapReason why, std::uint32_t patch, const ParameterBox& box) {
-    gaps_.push_back({patch, why, box});
+  void add_gap(GapReason why, std::uint32_t patch, const std::optional<ParameterBox>& part = {}) {
+    unproved_.add_gap(why, patch, part);
     result_.proved[patch] = 0;
   }
 
   /// Proves many cells of the root grid at a time. Patches of single cells without a proof become
-  /// parts_.
+  /// whole_.
   void prove_cells() {
     BoxSubdivision<RootCells> search({all_cells(root_)});
     int tested = 0;   // levels in a row of which little was proved
@@ -178,7 +167,7 @@ class Certifier {
     if (!is_last) return ProofOutcome::Open;
     for (const std::uint32_t k : cells_->patches_of(cells.first_u, cells.first_v)) {
       const Patch patch = patches_[k];
-      if (!patch.cut_by && !patch.is_measured) parts_.push_back({k, GapReason::Work, patch.box});
+      if (!patch.cut_by && !patch.is_measured) whole_.push_back(k);
     }
     return ProofOutcome::Refuted;
   }
@@ -186,14 +175,16 @@ class Certifier {
   /// Proves parts of patches, level by level: wherever the search ends, all unproved boxes have
   /// about the same number of halvings, but for those that ended before.
   void prove_parts() {
-    for (depth_ = 0; !parts_.empty(); ++depth_) {
+    for (depth_ = 0; !parts_.empty() || !whole_.empty(); ++depth_) {
       is_short_ = depth_ == 0 || kShort * parts_.size() <= patches_.size() ||
-                  (depth_ <= kMaxBrokenDepth && gaps_.empty());
+                  (depth_ <= kMaxBrokenDepth && unproved_.gaps().empty());
       const int most_halvings = broken_ <= kFewBoxes ? 2 * kHalvingsOfSecondOrder : kMaxBrokenDepth;
       broken_ = 0;
-      for (Part& part : parts_) {
-        prove(part, most_halvings);
-        if (bounded_.size() == kKeptAtATime) measure();
+      for (Part& part : parts_) prove_in_level(part, patches_[part.patch], most_halvings);
+      for (const std::uint32_t k : std::exchange(whole_, {})) {
+        const Patch patch = patches_[k];
+        Part part{k, GapReason::Work, true, patch.box};
+        prove_in_level(part, patch, most_halvings);
       }
       measure();
       parts_.clear();
@@ -205,7 +196,11 @@ class Certifier {
         halves->clear();
       }
     }
-    descend();
+  }
+
+  void prove_in_level(Part& part, const Patch& patch, int most_halvings) {
+    prove(part, patch, most_halvings);
+    if (bounded_.size() == kKeptAtATime) measure();
   }
 
   /// Measures the points of bounded boxes. Patches that they refute stay in this level: its result
@@ -230,10 +225,11 @@ class Certifier {
     std::vector<std::pair<double, std::size_t>> worst;
     for (std::size_t k = 0; k < ranked; ++k) {
       const std::size_t number = untested_[k * untested_.size() / ranked];
-      const Gap& gap = gaps_[number];
-      const BoxBounds bounds = bounds_over(gap.box);
+      const UnprovedParts::Gap& gap = unproved_.gaps()[number];
+      const ParameterBox box = unproved_.box_of(gap);
+      const BoxBounds bounds = bounds_over(box);
       if (bounds.broken || patches_[gap.patch].cut_by) continue;
-      const double arc = bounds.arc(gap.box.size());
+      const double arc = bounds.arc(box.size());
       worst.emplace_back(std::isnan(arc) ? 0 : -arc / patches_[gap.patch].allowed, number);
     }
     std::ranges::sort(worst);
@@ -248,7 +244,9 @@ class Certifier {
     const std::size_t ranked = std::min({kInBatch, boxes, untested_.size()});
     const auto worst = worst_untested(ranked);
     for (std::size_t k = 0; k < std::min(descents, worst.size()); ++k) {
-      auto [patch, why, box] = gaps_[worst[k].second];
+      const UnprovedParts::Gap& gap = unproved_.gaps()[worst[k].second];
+      const std::uint32_t patch = gap.patch;
+      ParameterBox box = unproved_.box_of(gap);
       const Bounds corner = bounds_over({box.low, box.low}).hull;
       BoxBounds bounds = bounds_over(box);
       for (int depth = 0; depth < kHalvingsToNearly && !bounds.is_undefined; ++depth) {
@@ -263,33 +261,32 @@ class Certifier {
         if (bounds.extent() <= patches_[patch].allowed) break;
       }
       const dvec2 bend(bounds.bend.x, bounds.bend.z);
-      result_.unproved_boxes.push_back({patch, box.middle(), box.size(), bend, false, false});
+      unproved_.add_box({patch, box.middle(), box.size(), bend, false, false});
     }
   }
 
   /// `most_halvings`: where the surface may be undefined or jump.
-  void prove(Part& part, int most_halvings) {
+  void prove(Part& part, const Patch& patch, int most_halvings) {
     if (is_refuted(part.patch)) return;
     if (budget_.is_spent(is_short_)) {
-      if (untested_.empty() || gaps_[untested_.back()].patch != part.patch)
-        untested_.push_back(static_cast<std::uint32_t>(gaps_.size()));
-      return leave_unproved(part, {dvec2(0), false});
+      if (untested_.empty() || unproved_.gaps()[untested_.back()].patch != part.patch)
+        untested_.push_back(static_cast<std::uint32_t>(unproved_.gaps().size()));
+      return leave_unproved(part, patch, {dvec2(0), false});
     }
-    if (part.known && measure_later(part, *part.known)) return;
+    if (part.known && measure_later(part, patch.allowed, *part.known)) return;
     const BoxBounds bounds = bounds_over(part.box);
     const dvec2 bend(bounds.bend.x, bounds.bend.z);
     if (bounds.is_undefined) {
       part.why = GapReason::Undefined;
-      return leave_unproved(part, {dvec2(0), true});
+      return leave_unproved(part, patch, {dvec2(0), true});
     }
     if (bounds.broken) {
       part.why = *bounds.broken;
-      if (measure_later(part, bounds)) return;
+      if (measure_later(part, patch.allowed, bounds)) return;
       ++broken_;
-      if (depth_ >= most_halvings) return leave_unproved(part, {bend, false});
+      if (depth_ >= most_halvings) return leave_unproved(part, patch, {bend, false});
       return halve_along(part, depth_ % 2, 1, next_);
     }
-    const Patch patch = patches_[part.patch];
     const dvec2 size = part.box.size();
     const double arc = bounds.arc(size);
     if (depth_ == 0 && !patch.is_measured && !patch.cut_by && is_proved(arc, patch.allowed)) return;
@@ -297,18 +294,17 @@ class Certifier {
     part.why = bounds.is_smooth    ? GapReason::Wide
                : bounds.may_crease ? GapReason::Crease
                                    : GapReason::Nonsmooth;
-    if (measure_later(part, bounds)) return;
-    if (depth_ >= kAllHalvings) return leave_unproved(part, {bend, false});
+    if (measure_later(part, patch.allowed, bounds)) return;
+    if (depth_ >= kAllHalvings) return leave_unproved(part, patch, {bend, false});
     const int times = arc > kHalvedTwice * patch.allowed && std::isfinite(arc) ? 2 : 1;
     halve(part, bounds.contributions(size), times, next_);
   }
 
   /// Puts a part on the list of boxes whose points are measured, if its bounds are narrow enough.
-  bool measure_later(const Part& part, const BoxBounds& bounds) {
+  bool measure_later(const Part& part, double tolerance, const BoxBounds& bounds) {
     const bool may_have_hole = bounds.broken == GapReason::Undefined;
     // A box in which the surface may be undefined is no longer than two tolerances, so that a hole
     // in it is one deep. Distances of the surface say nothing about its holes.
-    const double tolerance = patches_[part.patch].allowed;
     const double allowed = may_have_hole ? tolerance : kReach * tolerance;
     const dvec2 size = part.box.size();
     const dvec2 bend(bounds.bend.x, bounds.bend.z);
@@ -339,6 +335,7 @@ class Certifier {
     for (const ParameterBox& half : halves_of(part.box, axis)) {
       Part next = part;
       next.box = half;
+      next.is_whole = false;
       if (times > 1) {
         halve_along(next, axis, times - 1, to);
       } else {
@@ -359,12 +356,12 @@ class Certifier {
     dvec2 bend{0};
     bool is_undefined;
   };
-  void leave_unproved(const Part& part, const Known& known) {
-    if (const auto why = patches_[part.patch].cut_by) return add_gap(*why, part.patch, part.box);
+  void leave_unproved(const Part& part, const Patch& patch, const Known& known) {
+    if (const auto why = patch.cut_by) return add_gap(*why, part.patch, part.box);
     const bool may_jump = part.why == GapReason::Discontinuous;
-    result_.unproved_boxes.push_back(
+    unproved_.add_box(
         {part.patch, part.box.middle(), part.box.size(), known.bend, known.is_undefined, may_jump});
-    add_gap(part.why, part.patch, part.box);
+    add_gap(part.why, part.patch, part.is_whole ? std::nullopt : std::optional(part.box));
   }
 
   RootLines root_;
@@ -374,6 +371,7 @@ class Certifier {
   ProofBudget& budget_;
   SurfaceEnclosure enclosure_;
   std::optional<DemandsOfCells> cells_;        // until they are proved
+  std::vector<std::uint32_t> whole_;           // patches that follow the parts of the first level
   std::vector<Part> parts_;                    // of this level
   std::vector<Part> next_, next_of_measured_;  // of the next level, in this order
   std::vector<std::uint32_t> untested_;        // gaps of patches, for which no work is left
@@ -384,7 +382,7 @@ class Certifier {
   int depth_ = 0;
   bool is_short_ = true;    // this level
   std::size_t broken_ = 0;  // boxes of this level where the surface may be undefined or jump
-  std::vector<Gap> gaps_;
+  UnprovedParts unproved_;
   Certification result_;
 };
 
@@ -392,8 +390,8 @@ class Certifier {
 
 Certification certify(const Surface& surface, const RootLines& root, const Patches& patches,
                       const std::optional<Bounds>& clip, const MeasureBoxes& measure,
-                      ProofBudget& budget) {
-  return Certifier(surface, root, patches, clip, measure, budget).run();
+                      const TakeUnproved& take_unproved, ProofBudget& budget) {
+  return Certifier(surface, root, patches, clip, measure, take_unproved, budget).run();
 }
 
 }  // namespace saddle

@@ -17,6 +17,7 @@
 #include "mesh/model/proof_gap.h"
 #include "mesh/proof/proof_budget.h"
 #include "mesh/proof/root_cells.h"
+#include "mesh/proof/unproved_parts.h"
 #include "surface/box_subdivision.h"
 #include "surface/parameter_box.h"
 #include "surface/surface.h"
@@ -26,16 +27,6 @@ namespace saddle {
 /// A proved surface is within 4 tolerances of its triangles. Points are within one. The rest is for
 /// bounds, which also count derivatives along the surface, and for the folds between triangles.
 inline constexpr double kProofFactor = 4;
-
-/// A box of parameters without a proof, a part of a patch.
-struct UnprovedBox {
-  std::size_t patch;
-  dvec2 middle;
-  dvec2 size;
-  dvec2 bend;                 ///< bounds of |r_uu| and |r_vv|
-  bool is_undefined = false;  ///< proved: the surface is defined nowhere in the box
-  bool may_jump = false;      ///< bounds do not exclude that the surface jumps in the box
-};
 
 /// A part of a patch, divided into equal rectangles. Over each the surface is within `reach` of the
 /// convex hull of its corners. With 0 cells along an axis, these are in the middle of its range.
@@ -53,8 +44,7 @@ struct BoundedBox {
 using MeasureBoxes = std::function<std::vector<ProofOutcome>(std::span<const BoundedBox>)>;
 
 struct Certification {
-  std::vector<UnprovedBox> unproved_boxes;
-  std::vector<ProofGap> proof_gaps;  ///< disjoint; empty: all patches are proved
+  std::vector<GapBox> proof_gaps;    ///< disjoint; empty: all patches are proved
   std::vector<std::uint8_t> proved;  ///< 1 for each patch that is
   /// 1 for each patch with boxes that are measured without second derivatives: they may hold tips.
   std::vector<std::uint8_t> rough;
@@ -68,6 +58,6 @@ struct Certification {
 /// the budget ends are unproved. The surface outside of `clip` needs none.
 Certification certify(const Surface& surface, const RootLines& root, const Patches& patches,
                       const std::optional<Bounds>& clip, const MeasureBoxes& measure,
-                      ProofBudget& budget);
+                      const TakeUnproved& take_unproved, ProofBudget& budget);
 
 }  // namespace saddle

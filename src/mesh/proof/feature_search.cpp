@@ -20,35 +20,55 @@ dvec2 sample_of(const ParameterBox& box) {
   return glm::mix(box.low, box.high, kSample);
 }
 
+/// The first of many ranked numbers.
+class FirstRanked {
+ public:
+  explicit FirstRanked(std::size_t count) : count_(count) {}
+
+  void add(double rank, std::size_t number) {
+    if (count_ == 0) return;
+    ranked_.emplace_back(rank, number);
+    if (ranked_.size() == 2 * count_) drop_others();
+  }
+  std::vector<std::pair<double, std::size_t>> sorted() {
+    drop_others();
+    std::ranges::sort(ranked_);
+    return std::move(ranked_);
+  }
+
+ private:
+  void drop_others() {
+    if (ranked_.size() <= count_) return;
+    const auto end = ranked_.begin() + static_cast<std::ptrdiff_t>(count_);
+    std::ranges::nth_element(ranked_, end);
+    ranked_.erase(end, ranked_.end());
+  }
+
+  std::size_t count_;
+  std::vector<std::pair<double, std::size_t>> ranked_;
+};
+
 }  // namespace
 
-void FeatureSearch::keep_widest(std::size_t most, std::size_t others,
-                                std::vector<SearchedPart>& parts) {
-  using Ranked = std::pair<double, std::size_t>;
-  std::vector<Ranked> wide;
-  std::vector<Ranked> within;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const Bounds& hull = hulls_.over(parts[k].box);
-    const double room = parts[k].scale * room_beyond(parts[k].around, hull);
-    const double length = parts[k].scale * hull.diagonal();
-    if (room > least_) {
-      wide.emplace_back(-room, k);
-    } else {
-      within.emplace_back(-length, k);
-    }
+std::vector<SearchedPart> FeatureSearch::widest(
+    std::size_t most, std::size_t others, std::size_t count,
+    const std::function<SearchedPart(std::size_t)>& part) {
+  FirstRanked wide(most);
+  FirstRanked within(others);
+  for (std::size_t k = 0; k < count; ++k) {
+    const SearchedPart of = part(k);
+    const Bounds hull = hulls_.over(of.box);
+    const double room = of.scale * room_beyond(of.around, hull);
+    const double length = of.scale * hull.diagonal();
+    room > least_ ? wide.add(-room, k) : within.add(-length, k);
   }
-  const auto first = [](std::vector<Ranked>& of, std::size_t count) {
-    const auto end = of.begin() + static_cast<std::ptrdiff_t>(std::min(count, of.size()));
-    std::partial_sort(of.begin(), end, of.end());
-    return std::span(of.begin(), end);
-  };
   std::vector<SearchedPart> kept;
-  for (const auto& [room, k] : first(wide, most)) kept.push_back(parts[k]);
-  for (const auto& [length, k] : first(within, others)) {
-    kept.push_back(parts[k]);
+  for (const auto& [room, k] : wide.sorted()) kept.push_back(part(k));
+  for (const auto& [length, k] : within.sorted()) {
+    kept.push_back(part(k));
     kept.back().sticks_out = false;
   }
-  parts.swap(kept);
+  return kept;
 }
 
 double FeatureSearch::limit() const {

@@ -46,10 +46,11 @@ class FeatureSearch {
         threads_(threads),
         enclosure_(surface, Bounded::Position) {}
 
-  /// Keeps at most `most` parts over which bounds exceed the triangles by more than `least`, those
-  /// with most room first; then the other parts with the longest bounds, `others` at most, in which
-  /// features need not stick out.
-  void keep_widest(std::size_t most, std::size_t others, std::vector<SearchedPart>& parts);
+  /// At most `most` of `count` parts over which bounds exceed the triangles by more than `least`,
+  /// those with most room first; then the other parts with the longest bounds, `others` at most, in
+  /// which features need not stick out. `part`: makes a part, by its number.
+  std::vector<SearchedPart> widest(std::size_t most, std::size_t others, std::size_t count,
+                                   const std::function<SearchedPart(std::size_t)>& part);
 
   /// The largest distance found in each part, scaled. Halves the part toward the larger bounds
   /// until these tell no larger distance. Keeps the other halves for search(). The parts must

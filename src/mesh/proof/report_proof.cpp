@@ -72,20 +72,24 @@ void ProvedCells::add(const dvec2& size, const dvec2& range) {
 }
 
 void report_proof(const Surface& surface, const ProvedCells& cells, unsigned threads,
-                  KnownHulls& hulls, Certification& proof, MeshReport& report) {
-  std::vector<ProofGap>& gaps = proof.proof_gaps;
-  for (std::span<ProofGap> rest = gaps; !rest.empty();) {
-    const auto some = rest.first(std::min(kKeptAtATime, rest.size()));
-    measure_gaps(surface, cells.largest, report.tolerance.value_or(kInfinity), threads, hulls,
-                 some);
-    rest = rest.subspan(some.size());
-  }
+                  KnownHulls& hulls, const Certification& proof, MeshReport& report) {
   double open = 0;
-  for (const ProofGap& gap : gaps) open += gap.share;
-  report.certified = gaps.empty();
+  MergedGaps merged(surface.domain);
+  for (std::span<const GapBox> rest = proof.proof_gaps; !rest.empty();) {
+    std::vector<ProofGap> gaps;
+    for (const GapBox& box : rest.first(std::min(kKeptAtATime, rest.size()))) gaps.push_back({box});
+    rest = rest.subspan(gaps.size());
+    measure_gaps(surface, cells.largest, report.tolerance.value_or(kInfinity), threads, hulls,
+                 gaps);
+    for (const ProofGap& gap : gaps) {
+      open += gap.share;
+      merged.add(gap);
+    }
+  }
+  report.certified = proof.proof_gaps.empty();
   report.proved_fraction = std::clamp(cells.covered - open, 0.0, 1.0);
-  if (report.proved_fraction > 1 - kSame && gaps.empty()) report.proved_fraction = 1;
-  report.proof_gaps = merged(gaps, surface.domain);
+  if (report.proved_fraction > 1 - kSame && report.certified) report.proved_fraction = 1;
+  report.proof_gaps = merged.take();
   if (report.certified && !report.is_clipped && report.tolerance &&
       proof.bound <= *report.tolerance) {
     report.max_error = std::max(report.max_error, proof.bound);

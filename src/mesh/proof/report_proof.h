@@ -28,6 +28,6 @@ void measure_gaps(const Surface& surface, const dvec2& largest_cell, double tole
 /// Fills in what is proved of a mesh, and its proof gaps. An error that is proved to be at most the
 /// tolerance is a bound from then on.
 void report_proof(const Surface& surface, const ProvedCells& cells, unsigned threads,
-                  KnownHulls& hulls, Certification& proof, MeshReport& report);
+                  KnownHulls& hulls, const Certification& proof, MeshReport& report);
 
 }  // namespace saddle

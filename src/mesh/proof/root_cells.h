@@ -26,7 +26,6 @@ struct JumpLine {
 struct Patch {
   ParameterBox box;
   double allowed;                   ///< distance from the surface, in units of length
-  std::size_t root_cell;            ///< number of the root cell that holds the box; u is inner
   std::optional<GapReason> cut_by;  ///< feature in the box: no proof is tried
   /// The triangles do not cover the box with corners in it: distances are measured everywhere.
   bool is_measured = false;
@@ -39,6 +38,8 @@ struct Patch {
 struct Patches {
   std::size_t count;
   std::function<Patch(std::size_t)> make;
+  /// The number of the root cell that holds a patch; u is inner.
+  std::function<std::size_t(std::size_t)> root_cell;
 
   std::size_t size() const { return count; }
   Patch operator[](std::size_t number) const { return make(number); }
@@ -95,18 +96,10 @@ class DemandsOfCells {
  public:
   DemandsOfCells(const RootLines& root, const Patches& patches)
       : cells_u_(root.u.size() - 1),
-        demands_(cells_u_ * (root.v.size() - 1)),
-        first_(demands_.size() + 1, 0),
+        first_(cells_u_ * (root.v.size() - 1) + 1, 0),
         patches_(patches.size()) {
-    std::vector<std::uint32_t> cell_of(patches.size());
-    for (std::size_t k = 0; k < patches.size(); ++k) {
-      cell_of[k] = static_cast<std::uint32_t>(patches[k].root_cell);
-      ++first_[cell_of[k]];
-    }
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    // From the ends of the cells' ranges back to their beginnings.
-    for (std::size_t k = patches.size(); k-- > 0;)
-      patches_[--first_[cell_of[k]]] = static_cast<std::uint32_t>(k);
+    sort_patches(patches);
+    demands_.resize(first_.size() - 1);
   }
 
   std::size_t count() const { return demands_.size(); }
@@ -127,6 +120,18 @@ class DemandsOfCells {
   }
 
  private:
+  void sort_patches(const Patches& patches) {
+    std::vector<std::uint32_t> cell_of(patches.size());
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      cell_of[k] = static_cast<std::uint32_t>(patches.root_cell(k));
+      ++first_[cell_of[k]];
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    // From the ends of the cells' ranges back to their beginnings.
+    for (std::size_t k = patches.size(); k-- > 0;)
+      patches_[--first_[cell_of[k]]] = static_cast<std::uint32_t>(k);
+  }
+
   std::size_t cells_u_;
   std::vector<Demand> demands_;
   std::vector<std::uint32_t> first_;  // in patches_, of each cell and past the last

@@ -7,10 +7,10 @@
 
 namespace saddle {
 
-CellMarks::CellMarks(const Grid& grid)
-    : cells_u_(grid.cells_u), cells_v_(grid.cells_v), marks_(grid.cell_count(), 0) {}
+CellMarks::CellMarks(const Grid& grid) : cells_u_(grid.cells_u), cells_v_(grid.cells_v) {}
 
 void CellMarks::add(const dvec2& place, std::uint32_t mark) {
+  if (marks_.empty()) marks_.resize(cells_u_ * cells_v_, 0);
   const dvec2 cells = place / static_cast<double>(kCellUnit);
   const auto range = [](double at, std::size_t count) {
     const auto low = static_cast<std::size_t>(std::max(std::ceil(at) - 1, 0.0));

@@ -21,6 +21,7 @@ class CellMarks {
   void add(const dvec2& place, std::uint32_t mark = 1);
   /// The last mark of a leaf's root cell.
   std::uint32_t of(const Leaf& leaf) const {
+    if (marks_.empty()) return 0;
     return marks_[leaf.low.v / kCellUnit * cells_u_ + leaf.low.u / kCellUnit];
   }
   /// Whether a leaf's root cell has a mark.
@@ -28,7 +29,7 @@ class CellMarks {
 
  private:
   std::size_t cells_u_, cells_v_;
-  std::vector<std::uint32_t> marks_;
+  std::vector<std::uint32_t> marks_;  // none before the first
 };
 
 }  // namespace saddle

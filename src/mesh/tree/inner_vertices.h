@@ -34,7 +34,9 @@ class InnerVertices {
     std::uint32_t vertex;
   };
   using Key = std::array<std::uint32_t, 4>;
-  static Key key_of(const Leaf& leaf) { return {leaf.low.u, leaf.low.v, leaf.high.u, leaf.high.v}; }
+  static Key key_of(const Leaf& leaf) {
+    return {leaf.low.u, leaf.low.v, leaf.high().u, leaf.high().v};
+  }
   std::map<Key, std::vector<Chord>> chords_;
 };
 

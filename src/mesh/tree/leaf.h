@@ -46,30 +46,35 @@ struct SampleVertices {
   SampleVertices of_half(bool along_u, bool is_lower) const;
 };
 
-/// A cell of the mesh.
+/// A cell of the mesh. A fine mesh has millions.
 struct Leaf {
-  DyadicPoint low, high;
-  SampleVertices samples = {};  ///< known once the leaf was estimated
-  LeafState state = {};
-  std::uint8_t stagnation = 0;         ///< consecutive halvings that did not reduce the distance
-  std::uint8_t normal_stagnation = 0;  ///< the same of the error of normals
-  std::uint8_t sought = 0;             ///< halvings of the root cell that led to a counterexample
-  std::uint32_t followed_at = 0;       ///< revision at which features of its sides were followed
-  std::uint32_t validated_at = 0;      ///< revision at which it was validated with its polygon
-  std::uint32_t polygon_size = 0;      ///< vertices of its cell polygon at that revision
-  float known_error = 0;               ///< the error indicator of distances, in tolerances
+  DyadicPoint low;
+  SampleVertices samples = {};     ///< known once the leaf was estimated
+  std::uint32_t followed_at = 0;   ///< revision at which features of its sides were followed
+  std::uint32_t validated_at = 0;  ///< revision at which it was validated with its polygon
+  float known_error = 0;           ///< the error indicator of distances, in tolerances
   /// Factors on the error indicator of distances and of normals: the product of the sampled errors
   /// of ancestors, in tolerances, each clamped to [1, 4].
   float safety = 1;
   float normal_safety = 1;
+  std::uint16_t polygon_size = 0;  ///< vertices of its polygon at `validated_at`, 65,535 at most
+  LeafState state = {};
+  std::uint8_t halved_u = 0;           ///< halvings of its root cell along u
+  std::uint8_t halved_v = 0;           ///< along v
+  std::uint8_t stagnation = 0;         ///< consecutive halvings that did not reduce the distance
+  std::uint8_t normal_stagnation = 0;  ///< the same of the error of normals
+  std::uint8_t sought = 0;             ///< halvings of the root cell that led to a counterexample
 
-  std::uint32_t size_u() const { return high.u - low.u; }
-  std::uint32_t size_v() const { return high.v - low.v; }
+  std::uint32_t size_u() const { return kCellUnit >> halved_u; }
+  std::uint32_t size_v() const { return kCellUnit >> halved_v; }
+  DyadicPoint high() const { return {low.u + size_u(), low.v + size_v()}; }
   DyadicPoint middle() const { return {low.u + size_u() / 2, low.v + size_v() / 2}; }
   /// Counter-clockwise in (u, v), from the low corner.
   std::array<DyadicPoint, 4> corners() const {
-    return {low, DyadicPoint{high.u, low.v}, high, DyadicPoint{low.u, high.v}};
+    const DyadicPoint end = high();
+    return {low, DyadicPoint{end.u, low.v}, end, DyadicPoint{low.u, end.v}};
   }
 };
+static_assert(sizeof(Leaf) == 72);
 
 }  // namespace saddle

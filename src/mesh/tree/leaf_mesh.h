@@ -20,9 +20,9 @@ struct LeafTriangles {
   struct Range {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
-    std::uint32_t expected = 0;         ///< the count if all had an area
-    bool is_plain = false;              ///< two triangles of a leaf that nothing cuts
-    bool has_flat_sub_polygon = false;  ///< a sub-polygon is a side of the leaf: is_flat()
+    std::uint32_t expected : 30 = 0;        ///< the count if all had an area
+    bool is_plain : 1 = false;              ///< two triangles of a leaf that nothing cuts
+    bool has_flat_sub_polygon : 1 = false;  ///< a sub-polygon is a side of the leaf: is_flat()
 
     /// No triangle is missing because it has no area. Between two sides that are points there is
     /// none at all.

@@ -88,8 +88,8 @@ class LeafState {
                       : (by_boundary ? LeafCut::Boundary : LeafCut::Nothing);
   }
 
-  LeafCut cut_ = LeafCut::Nothing;
-  LeafProgress progress_ = LeafProgress::Active;
+  LeafCut cut_ : 2 = LeafCut::Nothing;
+  LeafProgress progress_ : 2 = LeafProgress::Active;
   bool leads_to_pole_ : 1 = false;
   bool is_left_out_ : 1 = false;
   bool is_too_small_ : 1 = false;

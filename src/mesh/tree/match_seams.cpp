@@ -53,7 +53,7 @@ void for_own_sides(const Leaf& leaf, const Grid& grid, const CellTree& tree, F f
   const DyadicPoint end = {static_cast<std::uint32_t>(grid.cells_u) * kCellUnit,
                            static_cast<std::uint32_t>(grid.cells_v) * kCellUnit};
   const bool is_at_border =
-      leaf.low.u == 0 || leaf.low.v == 0 || leaf.high.u == end.u || leaf.high.v == end.v;
+      leaf.low.u == 0 || leaf.low.v == 0 || leaf.high().u == end.u || leaf.high().v == end.v;
   if (is_at_border) return for_sides(leaf, tree, f);
   const auto& corners = leaf.samples.corner;
   for (std::size_t k = 0; k < 4; ++k) f(corners[k], corners[(k + 1) % 4]);

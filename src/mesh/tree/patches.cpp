@@ -48,11 +48,13 @@ std::optional<JumpLine> jump_line_of(const Leaf& leaf, const Grid& grid, const C
 
 }  // namespace
 
+std::size_t root_cell_of(const Leaf& leaf, const Grid& grid) {
+  return grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit);
+}
+
 Patch patch_of(const Leaf& leaf, double allowed, const Grid& grid, const CellTree& tree) {
-  Patch patch = {{tree.vertices().parameters(leaf.low), tree.vertices().parameters(leaf.high)},
-                 allowed,
-                 grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit),
-                 {}};
+  Patch patch = {
+      {tree.vertices().parameters(leaf.low), tree.vertices().parameters(leaf.high())}, allowed, {}};
   // Its waves are too short for any mesh.
   if (leaf.state.oscillates()) patch.cut_by = GapReason::Wide;
   if (leaf.state.is_whole()) return patch;

@@ -9,11 +9,15 @@ namespace saddle {
 
 namespace {
 
-/// A table begins with 2^(32 - 29) = 8 slots: four places, of which a root cell owns three when all
-/// of its samples are stored.
-constexpr std::uint32_t kFirstShift = 29;
-/// A table shrinks to half of its slots when less than an eighth of them are taken.
-constexpr std::uint32_t kSparse = 8;
+/// A table begins with 2^(32 - 30) = 4 slots, for the three places that a root cell owns when all
+/// of its samples are stored. Larger tables are full when half of their slots are taken.
+constexpr std::uint32_t kFirstShift = 30;
+/// A table shrinks to half of its slots when less than a quarter of them are taken.
+constexpr std::uint32_t kSparse = 4;
+
+std::uint32_t most_places(std::uint32_t slots) {
+  return slots == 1U << (32 - kFirstShift) ? slots - 1 : slots / 2;
+}
 
 }  // namespace
 
@@ -52,8 +56,8 @@ std::uint32_t PlaceMap::find_or_insert(DyadicPoint place, std::uint32_t number) 
     slot = slot_of(table, key);
     if (slots_[slot].key == key) return slots_[slot].number;
   }
-  if (2 * ++table.count > size) {
-    resize(table, std::min(table.shift - 1, kFirstShift));
+  if (++table.count > most_places(size)) {
+    resize(table, std::min<std::uint32_t>(table.shift - 1, kFirstShift));
     slot = slot_of(table, key);
   }
   slots_[slot] = {key, number};

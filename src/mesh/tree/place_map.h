@@ -30,11 +30,11 @@ class PlaceMap {
     std::uint32_t key = kEmpty;  ///< the place within its cell
     std::uint32_t number = 0;
   };
-  /// Slots of a cell, 2^(32 - shift) from `begin` on, or none.
+  /// Slots of a cell, 2^(32 - shift) from `begin` on, or none. No mesh has 2^26 vertices in a cell.
   struct Table {
     std::uint32_t begin = 0;
-    std::uint32_t count = 0;
-    std::uint32_t shift = 32;
+    std::uint32_t count : 26 = 0;
+    std::uint32_t shift : 6 = 32;
   };
   /// The key of the corner of a root cell, which is on the root grid.
   static constexpr std::uint32_t kEmpty = 0;

@@ -193,7 +193,7 @@ TEST(ManyLeaves, AreMeasuredAsOneByOne) {
     for (const std::size_t k : all) {
       ASSERT_TRUE(triangles.ranges[k].is_plain);
       leaves.push_back({subject.tree.vertices().parameters(subject.leaves[k].low),
-                        subject.tree.vertices().parameters(subject.leaves[k].high),
+                        subject.tree.vertices().parameters(subject.leaves[k].high()),
                         {triangles.of(k)[0], triangles.of(k)[1]},
                         places});
     }

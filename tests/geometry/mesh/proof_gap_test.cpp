@@ -6,6 +6,12 @@
 namespace saddle {
 namespace {
 
+std::vector<ProofGap> merged(std::span<const ProofGap> places, const Domain& domain) {
+  MergedGaps gaps(domain);
+  for (const ProofGap& place : places) gaps.add(place);
+  return gaps.take();
+}
+
 TEST(Doubts, OfOneReasonThatTouchAreOne) {
   const Domain domain{0, 1, 0, 1};
   const std::vector<ProofGap> places = {

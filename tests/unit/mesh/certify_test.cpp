@@ -33,9 +33,11 @@ Proof prove_parabola(std::size_t patches, double allowed) {
     u.push_back(static_cast<double>(k) / static_cast<double>(patches));
   }
   const std::array<double, 2> v = {0, 1};
-  const Patches all{patches, [&](std::size_t k) {
-                      return Patch{{{u[k], 0}, {u[k + 1], 1}}, allowed, k, std::nullopt};
-                    }};
+  const Patches all{patches,
+                    [&](std::size_t k) {
+                      return Patch{{{u[k], 0}, {u[k + 1], 1}}, allowed, std::nullopt};
+                    },
+                    [](std::size_t k) { return k; }};
   Proof proof;
   const MeasureBoxes measure = [&](std::span<const BoundedBox> boxes) {
     for (const BoundedBox& box : boxes) proof.farthest = std::max(proof.farthest, box.reach);
@@ -43,7 +45,8 @@ Proof prove_parabola(std::size_t patches, double allowed) {
     return std::vector<ProofOutcome>(boxes.size(), ProofOutcome::Proved);
   };
   ProofBudget budget(surface.bounds);
-  proof.certification = certify(surface, {u, v}, all, std::nullopt, measure, budget);
+  proof.certification = certify(
+      surface, {u, v}, all, std::nullopt, measure, [](std::span<const UnprovedBox>) {}, budget);
   return proof;
 }
 

@@ -8,7 +8,7 @@
 namespace saddle {
 namespace {
 
-static_assert(std::is_trivially_copyable_v<LeafState> && sizeof(LeafState) == 3);
+static_assert(std::is_trivially_copyable_v<LeafState> && sizeof(LeafState) == 1);
 
 /// A state with each cut.
 LeafState cut_by(LeafCut cut) {

@@ -1,0 +1,50 @@
+// The nearest triangles of small and large trees, against a look at each triangle.
+#include "mesh/distance/nearest_triangles.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/random.h"
+
+namespace saddle {
+namespace {
+
+dvec3 random_point(std::uint64_t number) {
+  return {random_unit(3 * number), random_unit(3 * number + 1), random_unit(3 * number + 2)};
+}
+
+/// Small triangles that wander through a box.
+Array<Triangle> random_triangles(std::size_t count, Grid& grid) {
+  Array<Triangle> triangles;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto first = static_cast<std::uint32_t>(grid.mesh.position.size());
+    const dvec3 middle = random_point(k / 16);
+    for (std::uint64_t corner = 0; corner < 3; ++corner)
+      grid.mesh.position.push_back(middle + 0.01 * random_point(3 * k + corner));
+    triangles.push_back({first, first + 1, first + 2});
+  }
+  return triangles;
+}
+
+TEST(NearestTriangles, AreThoseOfALookAtEach) {
+  // The boxes of the last are made when they are asked for.
+  for (const std::size_t count : {0, 1, 5, 1000, 140'000}) {
+    Grid grid;
+    const Array<Triangle> triangles = random_triangles(count, grid);
+    const NearestTriangles tree(grid, triangles);
+    for (std::uint64_t k = 0; k < 20; ++k) {
+      const dvec3 place = random_point(1'000'000 + k);
+      double distance = NearestTriangle().distance;
+      for (const Triangle& triangle : triangles)
+        distance = std::min(distance, nearest_point(grid, triangle, place).distance);
+      EXPECT_EQ(tree.nearest(place, 0, {}).distance, distance) << count;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace saddle
