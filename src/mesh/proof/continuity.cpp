@@ -24,7 +24,8 @@ constexpr int kLeastHalvings = 6;
 constexpr int kHalvingsToGlance = 2;
 constexpr std::array kGlances = {0.21, 0.53, 0.83};
 /// Halvings at once toward an end of a part that is never proved: a known discontinuity is beside
-/// it, or the last kLeastHalvings cuts left that end alone. The rest is halved on where bounds are too wide.
+/// it, or the last kLeastHalvings cuts left that end alone. The rest is halved on where bounds are
+/// too wide.
 constexpr int kHalvingsBeside = 10;
 
 ParameterBox box_around(std::span<const LinePart> lines) {
@@ -122,7 +123,7 @@ class Prover {
     return parts;
   }
 
-  /// Removes the parts that are proved. Those left alone of two are one cut steadier.
+  /// Removes the parts that are proved. A part that is left alone of two is one cut steadier.
   void keep_unproved(std::vector<Open>& level) {
     const auto are_halves = [](const Open& a, const Open& b) {
       return a.towards == 0 && b.towards == 1 && a.line.part[1] == b.line.part[0];
@@ -142,8 +143,8 @@ class Prover {
     std::vector<LinePart> rest;
     for (int cuts = 0; !level.empty(); ++cuts) {
       keep_unproved(level);
-      const bool is_in_vain = cuts == kHalvingsToGlance &&
-                              level.size() == 1 << kHalvingsToGlance && !is_provable(line.part);
+      const bool is_in_vain = cuts == kHalvingsToGlance && level.size() == 1 << kHalvingsToGlance &&
+                              !is_provable(line.part);
       if (level.size() > kMostLineParts && cuts >= kLeastHalvings) break;
       std::vector<Open> next;
       for (const Open& open : level) {
