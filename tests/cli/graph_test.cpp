@@ -203,6 +203,24 @@ TEST_F(GraphCommand, SaysWhetherAnErrorIsABoundAndHowMuchIsProved) {
   EXPECT_LT(rim["proved_fraction"], 0.5);  // half of the domain has a surface
 }
 
+/// No mesh can show waves that are too short, and a warning says so. The rest of such a picture is
+/// within two pixels in place of half of one, unless somebody asks for more.
+TEST_F(GraphCommand, DrawsHopelessWavesMoreCoarsely) {
+  const auto tolerance_of = [&](const std::string& z, const Names& options) {
+    Names arguments = {"z=" + z, "--report", "r.json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    EXPECT_EQ(saddle(arguments).status, 0);
+    return Json::parse(read_file(path("r.json")))["surfaces"][0]["tolerance"].get<double>();
+  };
+  const Names picture = {"-o", "a.png", "--size", "200x150"};
+  const double fine = tolerance_of("sin(9*u*v)", picture);
+  EXPECT_GT(tolerance_of("sin(1e6*u*v)", picture), 3.5 * fine);
+  const Names file = {"-o", "a.ply"};
+  EXPECT_LT(tolerance_of("sin(1e6*u*v)", file), 1.1 * tolerance_of("sin(9*u*v)", file));
+  const Names asked = {"-o", "a.png", "--size", "200x150", "--tolerance", "0.5px"};
+  EXPECT_LT(tolerance_of("sin(1e6*u*v)", asked), 1.1 * fine);
+}
+
 /// A ridge of height 1 that is narrower than the cells: nothing but bounds know of it.
 TEST_F(GraphCommand, WarnsWhereALargeFeatureCouldBeMissing) {
   for (const char* const ridge :

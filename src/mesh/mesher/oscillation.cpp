@@ -12,18 +12,9 @@ namespace saddle {
 
 namespace {
 
-/// A leaf of up to 4 tolerances, or two pixels, is narrow: no wave in it is visible. The image of
-/// a parameter range is taken to be as long as the surface's diagonal.
-constexpr double kNarrow = 4;
 /// A leaf predicted to be unresolvable is narrow enough at 1.5 times the width of a narrow one:
 /// the narrowest cells of a root grid need no halving.
 constexpr double kPredictedWidth = 1.5;
-/// A leaf is unresolvable if it would have to be more than 16 times narrower than a narrow one, 1/4
-/// of a tolerance, to be within tolerance. Errors fall with the square of the width.
-constexpr double kUnresolvable = 16 * 16;
-/// Predictions need 4 times the error: they take the largest of a few samples for a whole
-/// neighbourhood, a part of which may be resolvable.
-constexpr double kPredictedUnresolvable = 4 * kUnresolvable;
 /// Unresolvable leaves are an oscillation if they cover 0.4 of a block, which is 16 narrow leaves
 /// wide, or if laid end to end they cross it 16 times. Along a line with a vertical tangent, as of
 /// sqrt and ln, about ten leaves side by side fail at any size, twice as many along a slanting
@@ -55,7 +46,7 @@ Oscillation::Oscillation(const Grid& grid, double tolerance)
       size_v_(block_size(grid.cells_v, narrow_)) {}
 
 void Oscillation::predict(LinearizationErrors linearization_errors) {
-  forecast_ = AliasingForecast(std::move(linearization_errors), kPredictedUnresolvable);
+  forecast_ = AliasingForecast(std::move(linearization_errors));
 }
 
 glm::bvec2 Oscillation::predicted(const Leaf& leaf, const CellTree& tree) const {

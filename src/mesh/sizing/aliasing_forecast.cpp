@@ -6,6 +6,8 @@
 
 #include <glm/vector_relational.hpp>
 
+#include "surface/parameter_box.h"
+
 namespace saddle {
 
 namespace {
@@ -29,10 +31,10 @@ std::size_t nearest(std::span<const double> values, double parameter) {
 
 }  // namespace
 
-AliasingForecast::AliasingForecast(LinearizationErrors linearization_errors, double unresolvable)
+AliasingForecast::AliasingForecast(LinearizationErrors linearization_errors)
     : u_(std::move(linearization_errors.u)), v_(std::move(linearization_errors.v)) {
   const auto is_beyond = [&](const dvec2& linearization_error) {
-    return glm::any(glm::greaterThan(linearization_error, dvec2(unresolvable)));
+    return glm::any(glm::greaterThan(linearization_error, dvec2(kPredictedUnresolvable)));
   };
   if (std::ranges::none_of(linearization_errors.values, is_beyond)) return;  // as of most surfaces
   const std::size_t columns = u_.size();
@@ -40,7 +42,7 @@ AliasingForecast::AliasingForecast(LinearizationErrors linearization_errors, dou
   flags.reserve(linearization_errors.values.size());
   for (std::size_t row = 0; row < v_.size(); ++row) {
     for (std::size_t column = 0; column < columns; ++column) {
-      flags.push_back(around(linearization_errors, column, row, unresolvable));
+      flags.push_back(around(linearization_errors, column, row));
     }
   }
   const auto is_any = [](const glm::bvec2& flag) { return glm::any(flag); };
@@ -48,8 +50,7 @@ AliasingForecast::AliasingForecast(LinearizationErrors linearization_errors, dou
 }
 
 glm::bvec2 AliasingForecast::around(const LinearizationErrors& linearization_errors,
-                                    std::size_t column, std::size_t row,
-                                    double unresolvable) const {
+                                    std::size_t column, std::size_t row) const {
   dvec2 count(0);
   double defined = 0;
   for (std::size_t j = row - std::min<std::size_t>(row, 1); j <= std::min(row + 1, v_.size() - 1);
@@ -59,7 +60,7 @@ glm::bvec2 AliasingForecast::around(const LinearizationErrors& linearization_err
       const dvec2& linearization_error = linearization_errors.values[j * u_.size() + i];
       if (glm::any(glm::isnan(linearization_error))) continue;
       ++defined;
-      count += dvec2(glm::greaterThan(linearization_error, dvec2(unresolvable)));
+      count += dvec2(glm::greaterThan(linearization_error, dvec2(kPredictedUnresolvable)));
     }
   }
   return glm::greaterThan(count, dvec2(kOscillatingShare * std::max(defined, kFewestDefined)));
@@ -68,6 +69,13 @@ glm::bvec2 AliasingForecast::around(const LinearizationErrors& linearization_err
 glm::bvec2 AliasingForecast::at(const dvec2& uv) const {
   if (!any()) return glm::bvec2(false);
   return is_unresolvable_[nearest(v_, uv.y) * u_.size() + nearest(u_, uv.x)];
+}
+
+bool foresees_aliasing(const Probe& probe, const Tolerance& tolerance) {
+  const double diagonal = probe.bounds().diagonal();
+  const double narrow = kNarrow * tolerance(probe.bounds().centre(), diagonal) / diagonal;
+  const dvec2 size = narrow * box_of(probe.domain()).size();
+  return AliasingForecast(probe.linearization_errors(size, tolerance)).any();
 }
 
 }  // namespace saddle

@@ -15,7 +15,7 @@ AliasingForecast forecast_of(const std::vector<int>& steep, const std::vector<in
   for (const int k : undefined) {
     errors.values[static_cast<std::size_t>(k)] = dvec2(std::numeric_limits<double>::quiet_NaN());
   }
-  return {errors, 1e3};
+  return AliasingForecast(errors);
 }
 
 TEST(AliasingForecast, SeesWavesThatFillAnArea) {
