@@ -71,10 +71,11 @@ class ErrorSearch {
     }
   }
 
-  void climb() {
+  /// From so many leaves at most.
+  void climb(std::size_t most) {
     std::ranges::stable_sort(starts_, std::ranges::greater(), &Start::error);
     std::vector<WholeMeshError::Climb> climbs;
-    for (const Start& start : std::span(starts_).first(std::min(kMostFollowed, starts_.size())))
+    for (const Start& start : std::span(starts_).first(std::min(most, starts_.size())))
       climbs.push_back(start.climb);
     whole_.climb(climbs);
     for (std::size_t k = 0; k < climbs.size(); ++k) take(climbs[k].best, starts_[k].scale);
@@ -148,7 +149,7 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
     search.measure(suspects.subspan(next, std::min(at_once, suspects.size() - next)));
     if (!surface.may_go_on()) return search.worst();
   }
-  search.climb();
+  search.climb(shared(kMostFollowed));
   for (const SearchedLeaf& leaf : suspects) search.measure_triangles(leaf.part);
   for (const SearchedPart& part : others) search.measure_triangles(part);
   search.climb_on_mesh();
@@ -302,9 +303,14 @@ class ErrorReporter {
                       tree_.edges().has_cliffs());
       return *whole;
     };
-    return largest_error(surface, suspected, others, mesher_.hulls(),
-                         {tolerance_, request.clip, share_of_searches(request.least_effort),
-                          request.threads, measured});
+    return largest_error(
+        surface, suspected, others, mesher_.hulls(),
+        {tolerance_, request.clip, share_of_search(request), request.threads, measured});
+  }
+
+  /// Where waves fill an area, samples alone show that the mesh is off by about their height.
+  double share_of_search(const MeshRequest& request) const {
+    return share_of_searches(request.least_effort) / (has_waves_ ? kFewOfAll : 1);
   }
 
   SearchedPart searched(std::size_t k, const LeafTriangles& triangles) const {
