@@ -317,12 +317,12 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
   if (report.unexpected_fraction() > 0) report.exceeds_doubles = exceeds_doubles(surface, threads);
   const bool is_off = report.tolerance && report.max_error > *report.tolerance;
   if (report.certified && is_off && report.worst_place)
-    report.proof_gaps.push_back({GapReason::Off, *report.worst_place, *report.worst_place});
+    report.proof_gaps.push_back({{GapReason::Off, *report.worst_place, *report.worst_place}});
   report.certified = report.certified && !is_off;  // the proof allows 4 tolerances
   if (!report.certified && report.proof_gaps.empty()) {
     const Domain& d = surface.domain;
     const GapReason why = is_off ? GapReason::Off : GapReason::NotTried;
-    report.proof_gaps.push_back({why, {d.u0, d.v0}, {d.u1, d.v1}, 1});
+    report.proof_gaps.push_back({{why, {d.u0, d.v0}, {d.u1, d.v1}}, 1});
   }
   if (thickness_of(scene, spec)) result.bends = sharpest_bends(surface, mesh, threads);
   if (!spec.color.empty())

@@ -79,7 +79,7 @@ class LinesOfCuts {
       const auto end =
           std::find_if(begin, cuts.end(), [limit](const auto& cut) { return cut.first > limit; });
       std::set<double> cut_at;
-      for (const auto& cut : std::ranges::subrange(begin, end)) cut_at.insert(cut.second);
+      std::for_each(begin, end, [&](const auto& cut) { cut_at.insert(cut.second); });
       const auto is_cut = [&](double at) { return cut_at.contains(at); };
       const bool is_whole = is_cut(along.front()) && is_cut(along.back()) &&
                             2 * std::ranges::count_if(along, is_cut) > std::ssize(along);

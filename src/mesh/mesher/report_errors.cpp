@@ -310,7 +310,8 @@ class ErrorReporter {
 
   /// Where waves fill an area, samples alone show that the mesh is off by about their height.
   double share_of_search(const MeshRequest& request) const {
-    return share_of_searches(request.least_effort) / (has_waves_ ? kFewOfAll : 1);
+    const double share = share_of_searches(request.least_effort);
+    return has_waves_ ? share / static_cast<double>(kFewOfAll) : share;
   }
 
   SearchedPart searched(std::size_t k, const LeafTriangles& triangles) const {

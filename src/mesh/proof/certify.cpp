@@ -42,15 +42,14 @@ constexpr std::size_t kPlacesOfDescents = 5'000;
 class Certifier {
  public:
   Certifier(const Surface& surface, const RootLines& root, const Patches& patches,
-            const std::optional<Bounds>& clip, const MeasureBoxes& measure,
-            const TakeUnproved& take_unproved, ProofBudget& budget)
+            const std::optional<Bounds>& clip, const BoxHandlers& handlers, ProofBudget& budget)
       : root_(root),
         patches_(patches),
         clip_(clip),
-        measure_(measure),
+        measure_(handlers.measure),
         budget_(budget),
         enclosure_(surface, Bounded::SecondDerivatives),
-        unproved_(patches, take_unproved) {
+        unproved_(patches, handlers.take_unproved) {
     result_.proved.assign(patches.size(), 1);
     result_.rough.assign(patches.size(), 0);
   }
@@ -389,9 +388,9 @@ class Certifier {
 }  // namespace
 
 Certification certify(const Surface& surface, const RootLines& root, const Patches& patches,
-                      const std::optional<Bounds>& clip, const MeasureBoxes& measure,
-                      const TakeUnproved& take_unproved, ProofBudget& budget) {
-  return Certifier(surface, root, patches, clip, measure, take_unproved, budget).run();
+                      const std::optional<Bounds>& clip, const BoxHandlers& handlers,
+                      ProofBudget& budget) {
+  return Certifier(surface, root, patches, clip, handlers, budget).run();
 }
 
 }  // namespace saddle

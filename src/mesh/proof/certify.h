@@ -43,6 +43,12 @@ struct BoundedBox {
 /// tolerances of the triangles of its patch. Refuted: a point is off by more than the tolerance.
 using MeasureBoxes = std::function<std::vector<ProofOutcome>(std::span<const BoundedBox>)>;
 
+/// How a proof goes on with boxes that its bounds alone do not decide.
+struct BoxHandlers {
+  MeasureBoxes measure;
+  TakeUnproved take_unproved;
+};
+
 struct Certification {
   std::vector<GapBox> proof_gaps;    ///< disjoint; empty: all patches are proved
   std::vector<std::uint8_t> proved;  ///< 1 for each patch that is
@@ -54,10 +60,10 @@ struct Certification {
 /// Bounds the distance of r(u, v) from the triangles of each patch, of sides h and k, by
 /// (h^2 |r_uu| + 2 h k |r_uv| + k^2 |r_vv|) / 8, over boxes in which r is proved to be defined and
 /// its first derivatives continuous. Boxes of many root cells come first, then patches, then parts
-/// of patches, for which `measure` adds the distance of their corners. Boxes without a proof when
-/// the budget ends are unproved. The surface outside of `clip` needs none.
+/// of patches, for which `handlers.measure` adds the distance of their corners. Boxes without a
+/// proof when the budget ends are unproved. The surface outside of `clip` needs none.
 Certification certify(const Surface& surface, const RootLines& root, const Patches& patches,
-                      const std::optional<Bounds>& clip, const MeasureBoxes& measure,
-                      const TakeUnproved& take_unproved, ProofBudget& budget);
+                      const std::optional<Bounds>& clip, const BoxHandlers& handlers,
+                      ProofBudget& budget);
 
 }  // namespace saddle

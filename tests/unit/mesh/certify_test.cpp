@@ -45,8 +45,8 @@ Proof prove_parabola(std::size_t patches, double allowed) {
     return std::vector<ProofOutcome>(boxes.size(), ProofOutcome::Proved);
   };
   ProofBudget budget(surface.bounds);
-  proof.certification = certify(
-      surface, {u, v}, all, std::nullopt, measure, [](std::span<const UnprovedBox>) {}, budget);
+  const BoxHandlers handlers = {measure, [](std::span<const UnprovedBox>) {}};
+  proof.certification = certify(surface, {u, v}, all, std::nullopt, handlers, budget);
   return proof;
 }
 
