@@ -18,6 +18,12 @@ struct ParameterBox {
   dvec2 size() const { return glm::abs(high - low); }
 };
 
+/// The box around a triangle of places.
+inline ParameterBox box_around(const std::array<dvec2, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
+}
+
 /// The place in a box that is nearest to a place.
 inline dvec2 nearest_in(const ParameterBox& box, const dvec2& uv) {
   return glm::clamp(uv, glm::min(box.low, box.high), glm::max(box.low, box.high));

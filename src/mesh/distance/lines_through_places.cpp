@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "mesh/model/tolerances.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 namespace {
@@ -27,12 +28,11 @@ const std::size_t LinesThroughPlaces::kRounds = kBegun.size() + kHalvingsToEdge;
 
 void LinesThroughPlaces::add_place(const dvec3& position, const dvec2& uv,
                                    const std::array<dvec2, 3>& corners, const dvec2& reach) {
-  const dvec2 low = glm::min(glm::min(corners[0], corners[1]), corners[2]);
-  const dvec2 high = glm::max(glm::max(corners[0], corners[1]), corners[2]);
+  const dvec2 size = box_around(corners).size();
   for (int axis = 0; axis < 2; ++axis) {
     dvec2 way(0);
     way[axis] = reach[axis];
-    own_.push_back((high[axis] - low[axis]) / reach[axis]);
+    own_.push_back(size[axis] / reach[axis]);
     lines_.emplace_back(position, uv, way);
   }
   for (const dvec2& corner : corners) lines_.emplace_back(position, uv, corner - uv);

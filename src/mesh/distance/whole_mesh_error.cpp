@@ -35,9 +35,7 @@ std::array<dvec2, 3> parameters_of(const Triangle& t, const Mesh& mesh) {
 
 /// As far as a triangle reaches along one of the parameters, in shares of their ranges: along both.
 dvec2 reach_of(const std::array<dvec2, 3>& corners, const dvec2& range) {
-  const dvec2 low = glm::min(glm::min(corners[0], corners[1]), corners[2]);
-  const dvec2 high = glm::max(glm::max(corners[0], corners[1]), corners[2]);
-  const dvec2 size = (high - low) / range;
+  const dvec2 size = box_around(corners).size() / range;
   return std::max(size.x, size.y) * range;
 }
 

@@ -20,12 +20,6 @@ constexpr double kSteepest = 16;
 /// A line between two sides is looked for up to half of their distance to either side.
 constexpr double kBesideCut = 0.5;
 
-/// The least and the largest parameters of a triangle.
-std::array<dvec2, 2> uv_bounds(const Mesh& mesh, const Triangle& t) {
-  const auto& [a, b, c] = std::array{mesh.uv[t[0]], mesh.uv[t[1]], mesh.uv[t[2]]};
-  return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
-}
-
 }  // namespace
 
 void FaceDistance::for_faces(const auto& act) const {
@@ -66,8 +60,8 @@ void FaceDistance::add_cut(std::size_t leaf, const Triangle& t, const Face& face
   const std::optional<CutSides> found = sides_of_cut(t, face);
   if (!found || is_beyond(clip_, found->ends)) return;
   const Mesh& mesh = grid_.mesh;
-  const auto [low, high] = uv_bounds(mesh, t);
-  Cut cut{leaf, face, high - low, found->ends, {}};
+  const ParameterBox around = box_around({mesh.uv[t[0]], mesh.uv[t[1]], mesh.uv[t[2]]});
+  Cut cut{leaf, face, around.size(), found->ends, {}};
   for (std::size_t k = 0; k < 2; ++k) {
     const std::uint32_t a = t[found->sides[k]];
     const std::uint32_t b = t[(found->sides[k] + 1) % 3];

@@ -416,13 +416,17 @@ void AdaptiveMesher::ask_forgotten_samples() {
   tree_.geometry().evaluate(request_.threads);
 }
 
-/// The error ratios of a leaf that failed its validation; nothing for others. Leaves that were
-/// tested before are only if their features changed since.
+/// Whether a leaf was tested before, and its features have not changed since.
+bool AdaptiveMesher::was_tested(const Leaf& leaf) const {
+  const bool is_cut_anew =
+      leaf.state.is_cut_by_feature() && tree_.revisions().has_changed(leaf, halved_);
+  return leaf.validated_at <= halved_ && !is_cut_anew;
+}
+
+/// The error ratios of a leaf that failed its validation; nothing for others.
 std::optional<AdaptiveMesher::Failure> AdaptiveMesher::failure_of(std::size_t number) {
   const Leaf& leaf = mesh_.leaves[number];
   const bool is_cut = leaf.state.is_cut_by_feature();
-  const bool is_cut_anew = is_cut && tree_.revisions().has_changed(leaf, halved_);
-  if (leaf.validated_at <= halved_ && !is_cut_anew) return std::nullopt;
   const bool is_on_lines =
       has_thin_vertex(leaf, tree_) || (is_cut && has_cut(FeatureKind::Jump, leaf, tree_));
   if (mesh_.is_near(number) && !is_cut && !is_on_lines && !validation_.is_turned(number))
@@ -443,8 +447,8 @@ std::vector<Leaf> AdaptiveMesher::halve_failed() {
   std::vector<Leaf> halves;
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     Leaf& leaf = mesh_.leaves[k];
+    if (was_tested(leaf)) continue;  // most leaves, in most rounds
     const bool is_cut = leaf.state.is_cut_by_feature();
-    if (leaf.validated_at <= halved_ && !is_cut) continue;  // most leaves, in most rounds
     const std::optional<Failure> failure = failure_of(k);
     if (!failure) continue;
     if (is_cut && leave_out_if_small(k)) continue;

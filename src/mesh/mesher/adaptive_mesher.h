@@ -97,6 +97,7 @@ class AdaptiveMesher {
     double distance, normal;
   };
   void ask_forgotten_samples();
+  bool was_tested(const Leaf& leaf) const;
   std::optional<Failure> failure_of(std::size_t number);
   std::vector<Leaf> halve_failed();
   std::vector<Leaf> reactivate_defined(std::uint32_t since);

@@ -343,12 +343,11 @@ class ErrorReporter {
   /// Appends places near the last one and far from it: the surface may go on there, in leaves
   /// whose vertices are undefined.
   static void append_around(const Domain& domain, std::vector<dvec2>& places) {
-    const auto [low, high] = box_of(domain);
+    const ParameterBox box = box_of(domain);
     const dvec2 from = places.back();
-    dvec2 step = 0.5 * (high - low);
+    dvec2 step = 0.5 * (box.high - box.low);
     for (int k = 0; k < kHalvingsToNearly; ++k, step *= 0.5) {
-      for (const dvec2& way : kFourWays)
-        places.push_back(glm::clamp(from + step * way, glm::min(low, high), glm::max(low, high)));
+      for (const dvec2& way : kFourWays) places.push_back(nearest_in(box, from + step * way));
     }
   }
 

@@ -78,7 +78,8 @@ void PlaceMap::erase(DyadicPoint place) {
     gap = next;
   }
   slots_[table.begin + gap] = {};
-  if (--table.count == 0) {
+  table.count -= 1U;
+  if (table.count == 0) {
     give_back_slots(table);
     table = {};
   } else if (kSparse * table.count <= mask && table.shift < kFirstShift) {
