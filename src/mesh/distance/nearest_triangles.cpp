@@ -15,7 +15,7 @@ namespace {
 /// A node that may hold a nearer triangle.
 struct Open {
   std::size_t node;
-  double square;  // of the distance of its box
+  double square;  // of the distance of its box, in local units
 };
 
 }  // namespace
@@ -73,7 +73,7 @@ Bounds NearestTriangles::box_of(std::size_t node) const {
 double NearestTriangles::square_of_distance(std::size_t node, const dvec3& p) const {
   const Bounds box = box_of(node);
   if (box.empty()) return std::numeric_limits<double>::infinity();
-  const dvec3 off = p - glm::clamp(p, box.low, box.high);
+  const dvec3 off = grid_.local_scale * (p - glm::clamp(p, box.low, box.high));
   return glm::dot(off, off);
 }
 
@@ -83,7 +83,8 @@ NearestTriangle NearestTriangles::nearest(const dvec3& position, double enough,
   while (!open.empty() && !(known.distance <= enough)) {
     const auto [k, square] = open.back();
     open.pop_back();
-    if (square >= known.distance * known.distance) continue;
+    const double least = grid_.local_scale * known.distance;
+    if (square >= least * least) continue;
     if (k >= leaves_ - 1) {
       for (const Triangle& triangle : triangles_of(k)) {
         const NearestTriangle own = nearest_point(grid_, triangle, position);

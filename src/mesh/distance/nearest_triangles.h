@@ -35,6 +35,7 @@ class NearestTriangles {
  private:
   std::span<const Triangle> triangles_of(std::size_t node) const;
   Bounds box_of(std::size_t node) const;
+  /// In local units.
   double square_of_distance(std::size_t node, const dvec3& position) const;
 
   const Grid& grid_;

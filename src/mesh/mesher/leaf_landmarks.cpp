@@ -5,9 +5,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "mesh/distance/nearest_triangles.h"
 #include "mesh/distance/sampled_error.h"
 #include "mesh/model/tolerances.h"
-#include "mesh/model/triangle_tree.h"
 #include "mesh/tree/cell_tree.h"
 
 namespace saddle {
@@ -125,16 +125,11 @@ bool LeafLandmarks::misses_hole(const Leaf& leaf) const {
 void LeafLandmarks::complete(std::span<const Triangle> triangles, double tolerance,
                              MeshReport& report) const {
   if (triangles.empty()) return;
-  std::vector<dvec3> local;  // scaled, so that squares of distances do not overflow
-  std::optional<TriangleTree> tree;
+  std::optional<NearestTriangles> whole;
   for (std::size_t k = 0; k < places_.size(); ++k) {
     if (is_missed_[k] == 0 || places_[k].is_hole()) continue;
-    if (!tree) {
-      for (const dvec3& p : grid_.mesh.position) local.push_back(grid_.local_scale * p);
-      tree.emplace(local, triangles);
-    }
-    const double error =
-        tree->distance(grid_.local_scale * places_[k].position) / grid_.local_scale;
+    if (!whole) whole.emplace(grid_, triangles);
+    const double error = whole->nearest(places_[k].position, 0, {}).distance;
     if (error > std::max(report.max_error, tolerance)) report.worst_place = places_[k].uv;
     report.max_error = std::max(report.max_error, error);
   }
