@@ -13,7 +13,6 @@
 #include "mesh/features/singular_in_space.h"
 #include "mesh/mesher/mesher.h"
 #include "mesh/model/tolerances.h"
-#include "mesh/model/topology.h"
 #include "mesh/sizing/effort.h"
 #include "meshing/clip_box.h"
 #include "meshing/mesh_numbers.h"
@@ -85,6 +84,7 @@ MeshRequest first_request(const Scene& scene, const SurfaceSpec& spec, const Pur
   request.clip = scene.clip.box;
   if (request.clip) request.clip = stretched(*request.clip, purpose.stretch);
   request.tolerance = tolerance_in(scene, spec, purpose, request.clip);
+  request.is_coarse_with_waves = purpose.picture && !purpose.mesh && !scene.mesh.tolerance;
   request.normal_tolerance = scene.mesh.normal_tolerance;
   if (request.normal_tolerance < kHalfTurn.high) {
     request.normal_tolerance /= rest_of_stretch(scene, purpose);

@@ -10,7 +10,6 @@
 #include <glm/ext/matrix_transform.hpp>
 
 #include "base/numbers.h"
-#include "mesh/sizing/aliasing_forecast.h"
 #include "mesh/sizing/effort.h"
 #include "scene/model/instances.h"
 #include "scene/model/theme.h"
@@ -260,11 +259,7 @@ Tolerance tolerance_of_part(const Scene& scene, const SurfaceSpec& spec, const P
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Probe& probe, const std::optional<Bounds>& clip) {
   if (probe.bounds().empty()) return kInfinity;
-  Tolerance tolerance = tolerance_of_part(scene, spec, purpose, visible_part(probe, clip));
-  // No mesh keeps it where waves are too short. Then a picture need not be exact beside them.
-  const bool is_picture = purpose.picture && !purpose.mesh && !scene.mesh.tolerance;
-  const bool is_coarse = is_picture && !clip && foresees_aliasing(probe, tolerance);
-  return is_coarse ? tolerance.times(kNarrow) : tolerance;
+  return tolerance_of_part(scene, spec, purpose, visible_part(probe, clip));
 }
 
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,

@@ -41,8 +41,7 @@ struct Purpose {
 /// The tolerance of a surface of the scene that a probe has sampled, or of its part in a box: the
 /// stricter one of picture and mesh. A picture's pixels are those of the part of the surface, in
 /// any of its nodes, that is nearest to the eye at any of its moments. All lengths and boxes are
-/// those of the stretched surface. A picture of waves that are too short for any mesh is coarser:
-/// two pixels in place of half of one.
+/// those of the stretched surface.
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Probe& probe, const std::optional<Bounds>& clip = {});
 

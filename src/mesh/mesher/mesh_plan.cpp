@@ -11,6 +11,7 @@
 #include "mesh/features/nonsmooth_points.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/sizing/aliasing_forecast.h"
 #include "mesh/sizing/grid_sizing.h"
 #include "surface/parameter_box.h"
 
@@ -138,10 +139,14 @@ Tolerance tolerance_within(const std::optional<Bounds>& clip, const Tolerance& t
 std::optional<MeshPlan> plan_mesh(const Surface& surface, const MeshRequest& request) {
   Probe probe(surface, request.threads);
   if (request.clip) probe.keep_within(*request.clip);
-  const Tolerance tolerance = request.tolerance(probe);
+  Tolerance tolerance = request.tolerance(probe);
   if (!is_usable(probe.bounds(), tolerance)) return std::nullopt;
   const double rounding = rounding_of_positions(probe.bounds());
   const LineCounts lines = request.lines_for ? request.lines_for(probe, tolerance) : request.lines;
+  // No mesh keeps the tolerance where waves are too short. Elsewhere it need not be finer than the
+  // leaves that show them.
+  if (request.is_coarse_with_waves && !request.clip && foresees_aliasing(probe, tolerance))
+    tolerance = tolerance.times(kPredictedWidth * kNarrow);
   MeshPlan plan{std::move(probe),
                 tolerance,
                 tolerance.times(kAim).at_least(rounding),

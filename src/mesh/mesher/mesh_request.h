@@ -27,6 +27,9 @@ struct MeshRequest {
   /// The tolerance of a surface that the probe describes; called once, and required.
   /// A mesh of `samples` does not keep it, but tells jumps from slopes by it.
   std::function<Tolerance(const Probe&)> tolerance;
+  /// Whether a surface with waves that are too short for any mesh is meshed more coarsely: to three
+  /// pixels in a picture, in place of half of one. Not if it is clipped.
+  bool is_coarse_with_waves = false;
   double normal_tolerance = 180;  ///< degrees between interpolated and exact normals
   std::size_t max_triangles = 4'000'000;
   /// The effort that is allowed however few the triangles are, in places (mesh/sizing/effort.h).

@@ -12,9 +12,6 @@ namespace saddle {
 
 namespace {
 
-/// A leaf predicted to be unresolvable is narrow enough at 1.5 times the width of a narrow one:
-/// the narrowest cells of a root grid need no halving.
-constexpr double kPredictedWidth = 1.5;
 /// Unresolvable leaves are an oscillation if they cover 0.4 of a block, which is 16 narrow leaves
 /// wide, or if laid end to end they cross it 16 times. Along a line with a vertical tangent, as of
 /// sqrt and ln, about ten leaves side by side fail at any size, twice as many along a slanting

@@ -18,6 +18,9 @@ inline constexpr double kOscillatingShare = 0.4;
 /// A cell of up to 4 tolerances, or two pixels, is narrow: no wave in it is visible. The image of
 /// a parameter range is taken to be as long as the surface's diagonal.
 inline constexpr double kNarrow = 4;
+/// A leaf predicted to be unresolvable is narrow enough at 1.5 times the width of a narrow one:
+/// the narrowest cells of a root grid need no halving.
+inline constexpr double kPredictedWidth = 1.5;
 /// A cell is unresolvable if it would have to be more than 16 times narrower than a narrow one, 1/4
 /// of a tolerance, to be within tolerance. Errors fall with the square of the width.
 inline constexpr double kUnresolvable = 16 * 16;
