@@ -30,6 +30,11 @@ Bounds stretched(const Bounds& box, const dvec3& stretch) {
   return {box.low * stretch, box.high * stretch};
 }
 
+std::optional<Bounds> stretched_clip_box(const Scene& scene, const Purpose& purpose) {
+  if (!scene.clip.box) return std::nullopt;
+  return stretched(*scene.clip.box, purpose.stretch);
+}
+
 void take_back_stretch(const dvec3& stretch, MeshResult& result) {
   const dvec3 back = 1.0 / stretch;
   Mesh& mesh = result.mesh;

@@ -4,6 +4,8 @@
 // taken back.
 #pragma once
 
+#include <optional>
+
 #include "mesh/model/mesh_report.h"
 #include "meshing/tolerance.h"
 #include "scene/model/scene.h"
@@ -21,6 +23,8 @@ double rest_of_stretch(const Scene& scene, const Purpose& purpose);
 
 /// The box of a stretched surface.
 Bounds stretched(const Bounds& box, const dvec3& stretch);
+/// The clip box of a scene, if it has one, for the stretched surface.
+std::optional<Bounds> stretched_clip_box(const Scene& scene, const Purpose& purpose);
 
 /// The mesh of the surface itself from that of the stretched one. Errors become upper bounds: a
 /// distance grows by at most one over the least factor.

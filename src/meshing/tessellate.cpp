@@ -13,6 +13,7 @@
 #include "mesh/features/singular_in_space.h"
 #include "mesh/mesher/mesher.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/model/topology.h"
 #include "mesh/sizing/effort.h"
 #include "meshing/clip_box.h"
 #include "meshing/mesh_numbers.h"
@@ -47,8 +48,7 @@ UniformRequest uniform_request(const Scene& scene, const SurfaceSpec& spec, cons
   const std::optional<GridSize> samples = samples_of(scene, spec);
   const GridSize cells = samples.value_or(GridSize{default_cells(u), default_cells(v)});
   request.grid = {cells.u, cells.v, u, v, threads};
-  request.clip = scene.clip.box;
-  if (request.clip) request.clip = stretched(*request.clip, purpose.stretch);
+  request.clip = stretched_clip_box(scene, purpose);
   if (!samples) {
     const double narrowest = least_of(purpose.stretch) / largest_of(purpose.stretch);
     request.share = tolerance_share(scene, purpose) * narrowest;
@@ -81,8 +81,7 @@ MeshRequest first_request(const Scene& scene, const SurfaceSpec& spec, const Pur
   if (const auto samples = samples_of(scene, spec)) {
     request.samples = {static_cast<std::size_t>(samples->u), static_cast<std::size_t>(samples->v)};
   }
-  request.clip = scene.clip.box;
-  if (request.clip) request.clip = stretched(*request.clip, purpose.stretch);
+  request.clip = stretched_clip_box(scene, purpose);
   request.tolerance = tolerance_in(scene, spec, purpose, request.clip);
   request.is_coarse_with_waves = purpose.picture && !purpose.mesh && !scene.mesh.tolerance;
   request.normal_tolerance = scene.mesh.normal_tolerance;
