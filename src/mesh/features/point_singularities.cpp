@@ -193,6 +193,7 @@ class Narrowing {
     BoxSubdivision<ParameterBox> search({whole});
     std::vector<ParameterBox>& parts = search.open();
     bool is_followed = false;
+    int crowded = 0;  // generations with more varied parts than meet at a point
     while (search.depth() < 2 * kHalvingsToEdge) {
       search.test([this](const ParameterBox& part) {
         return are_continuous(enclosure_.enclose(part)) ? ProofOutcome::Proved : ProofOutcome::Open;
@@ -201,7 +202,7 @@ class Narrowing {
         is_followed = true;
         ++followed_;
       }
-      if (is_followed) keep_varied(parts);
+      if (is_followed && keep_varied(parts) && ++crowded > kHalvingsToSight) return std::nullopt;
       if (parts.empty() || parts.size() > kMostBoxParts) return std::nullopt;
       const dvec2 size = parts[0].size() / box_of(surface_.domain).size();
       search.halve(size.x < size.y ? 1 : 0);
@@ -221,8 +222,9 @@ class Narrowing {
  private:
   /// Keeps the parts in which the surface varies the most, within kStays: around an essential point
   /// it varies by the same in parts of any size. None if limits agree in all, or if it
-  /// goes to infinity.
-  void keep_varied(std::vector<ParameterBox>& parts) const {
+  /// goes to infinity. Returns whether there were too many, as there are again and again along a
+  /// line of jumps.
+  bool keep_varied(std::vector<ParameterBox>& parts) const {
     const std::vector<double> sizes = variations(parts);
     const double most = sizes.empty() ? 0 : *std::ranges::max_element(sizes);
     const double least = std::max(kLimitsAgree * *diagonal_, most / kStays);
@@ -231,11 +233,13 @@ class Narrowing {
       if (most <= *diagonal_ && sizes[k] > least) order.push_back(k);
     }
     std::ranges::stable_sort(order, std::greater(), [&](std::size_t k) { return sizes[k]; });
-    if (order.size() > kMostBoxParts) order.resize(kMostBoxParts);
+    const bool are_many = order.size() > kMostBoxParts;
+    if (are_many) order.resize(kMostBoxParts);
     std::vector<ParameterBox> kept;
     kept.reserve(order.size());
     for (const std::size_t k : order) kept.push_back(parts[k]);
     parts = std::move(kept);
+    return are_many;
   }
 
   /// The diagonals of boxes around nine positions of each box of parameters.
