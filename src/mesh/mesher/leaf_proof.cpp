@@ -9,6 +9,7 @@
 #include "mesh/distance/sampled_error.h"
 #include "mesh/error/error_indicator.h"
 #include "mesh/grid/grid.h"
+#include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/proof/report_proof.h"
 #include "mesh/tree/cell_polygon.h"
@@ -119,6 +120,7 @@ void LeafProof::refute(std::span<const UnprovedBox> boxes, const Leaves& leaves,
     UnprovedBox box = boxes[k];
     box.patch = leaves[box.patch];
     if (box.may_jump) result.may_jump.push_back(static_cast<std::uint32_t>(box.patch));
+    if (!box.is_undefined && !is_seen(clip_, points[k])) continue;
     const double allowed = mesh.allowed[box.patch];
     double distance = distance_from(grid_, mesh.triangles.of(box.patch), box.middle, points[k]);
     if (distance > allowed && !mesh.leaves[box.patch].state.is_whole() &&

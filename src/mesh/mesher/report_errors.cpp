@@ -172,8 +172,8 @@ class ErrorReporter {
         strictest_(report.rounding ? std::numeric_limits<double>::infinity() : tolerance_) {}
 
   /// The largest errors of the triangles. Errors above the tolerance that the mesh was made for are
-  /// searched for again, against the whole mesh. Beside a pole the place may be outside of the clip
-  /// box, and the triangles in it near the surface.
+  /// searched for again, against the whole mesh. Beside a pole or a face of the clip box the place
+  /// may be outside of the box, and the triangles in it near the surface.
   void report(const Surface& surface, const MeshRequest& request, const LeafTriangles& triangles,
               MeshReport& report) const {
     PlacedError worst;
@@ -186,7 +186,7 @@ class ErrorReporter {
       const PlacedError error = error_of(k);
       if (error.distance > tolerance_ &&
           (is_missing || is_covered(leaf) || is_of_surface(k) || has_edge(leaf) ||
-           (request.clip && leaf.state.leads_to_pole()))) {
+           (request.clip && (leaf.state.leads_to_pole() || mesher_.crosses_box(leaf))))) {
         suspects.push_back(k);
       } else if (is_missing) {
         continue;
