@@ -44,6 +44,11 @@ double widening(const Line& line) {
   return std::clamp(kDigits * place / (kApproach.back() * length), 1.0, most);
 }
 
+/// The place at a share of a line from its first end, which diverge() evaluates.
+dvec2 approach(const Line& line, double share) {
+  return line[0] + widening(line) * share * (line[1] - line[0]);
+}
+
 /// Whether the first moves grow as beside a pole.
 bool leaps(std::span<const SurfacePoint> points, double delta) {
   double before = 0;
@@ -69,9 +74,7 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
                           unsigned threads) {
   std::vector<dvec2> uv;
   for (const Line& line : lines) {
-    const double wider = widening(line);
-    for (const double share : kApproach)
-      uv.push_back(line[0] + wider * share * (line[1] - line[0]));
+    for (const double share : kApproach) uv.push_back(approach(line, share));
   }
   const auto points = evaluate(surface, uv, threads);
   std::optional<SurfaceEnclosure> enclosure;
@@ -98,6 +101,10 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
     result.push_back(goes_on && !is_bounded(*enclosure, lines[k]));
   }
   return result;
+}
+
+std::array<dvec2, 2> nearest_approaches(const Line& line) {
+  return {approach(line, kApproach[kApproach.size() - 2]), approach(line, kApproach.back())};
 }
 
 namespace {

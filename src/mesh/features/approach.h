@@ -22,6 +22,10 @@ inline constexpr std::array kApproach = {0x1p-12, 0x1p-16, 0x1p-20, 0x1p-24, 0x1
 std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, double delta,
                           unsigned threads);
 
+/// The two places nearest to the first end of a line that diverge() evaluates, the nearest last.
+/// Doubles that are nearer to a pole may be rounding errors.
+std::array<dvec2, 2> nearest_approaches(const Line& line);
+
 /// Bisects each line from an end where the surface is defined, and within `box`, to one where it is
 /// not. Returns the last places known to be inside.
 std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> lines, int halvings,

@@ -4,7 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "mesh/features/approach.h"
 #include "mesh/features/bisect_together.h"
@@ -100,6 +104,39 @@ std::uint8_t exit_of(const Bounds& box, const dvec3& place) {
   return static_cast<std::uint8_t>(std::ranges::max_element(beyond) - beyond.begin());
 }
 
+/// The places beside poles at which ways end on the finite sides of these, outside of the clip box,
+/// too: chords to a place before them would cut off a part of the sheet. Nothing for other ways.
+std::vector<std::optional<dvec2>> finite_ends(std::span<const PoleWay> ways,
+                                              const TraceOptions& options, const CellTree& tree) {
+  const Bounds& box = *options.clip;
+  std::vector<Line> lines;
+  std::vector<dvec2> near;
+  double delta = std::numeric_limits<double>::infinity();
+  for (const PoleWay& way : ways) {
+    lines.push_back({way.last, tree.mesh().uv[way.from]});
+    const auto places = nearest_approaches(lines.back());
+    near.insert(near.end(), places.begin(), places.end());
+    const dvec3 in_box = glm::clamp(tree.mesh().position[way.from], box.low, box.high);
+    delta = std::min(delta, options.tolerance(in_box));
+  }
+  const std::vector<bool> goes_far = diverge(tree.surface(), lines, delta, options.threads);
+  const std::vector<dvec3> at = evaluate_positions(tree.surface(), near, options.threads);
+  std::vector<std::optional<dvec2>> ends(ways.size());
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const bool stays = glm::distance(at[2 * k], at[2 * k + 1]) <= delta;
+    if (stays && !goes_far[k]) ends[k] = near[2 * k + 1];
+  }
+  return ends;
+}
+
+/// Moves places beside poles to the faces of the clip box, but on the finite sides of poles.
+void end_at_limits(std::span<const PoleWay> ways, std::span<Between> places,
+                   const TraceOptions& options, const CellTree& tree) {
+  const std::vector<std::optional<dvec2>> ends = finite_ends(ways, options, tree);
+  const std::vector<dvec2> faces = leave_box(ways, options, tree);
+  for (std::size_t k = 0; k < ways.size(); ++k) places[k].uv = ends[k].value_or(faces[k]);
+}
+
 void cut_at_once(std::span<const Side> sides, const TraceOptions& options, CellTree& tree) {
   if (sides.empty()) return;
   std::vector<Between> places;
@@ -116,10 +153,7 @@ void cut_at_once(std::span<const Side> sides, const TraceOptions& options, CellT
     places.push_back({a, b, ways[k].last});
   }
   const bool to_faces = options.clip && tree.budget().has_room_for_faces(options.triangles);
-  if (to_faces) {
-    const std::vector<dvec2> faces = leave_box(ways, options, tree);
-    for (std::size_t k = 0; k < faces.size(); ++k) places[k].uv = faces[k];
-  }
+  if (to_faces) end_at_limits(ways, places, options, tree);
   std::uint32_t next = tree.geometry().add_between(places, options.threads);
   tree.geometry().take_known_normals();
   const auto exit = [&](std::uint32_t vertex) {

@@ -256,6 +256,39 @@ TEST(Clip, EndsBothSidesOfAPoleOnTheFace) {
   }
 }
 
+/// The largest distance from a mesh of the surface within a box, on a line beside v.
+double largest_distance_beside(double v, const Surface& surface, const Bounds& box,
+                               const TriangleTree& mesh) {
+  constexpr double kBeside = 1e-7;
+  constexpr int kPlaces = 1000;
+  std::vector<dvec2> places;
+  for (int k = 0; k <= kPlaces; ++k) places.emplace_back(2.0 * k / kPlaces - 1, v - kBeside);
+  double largest = 0;
+  for (const dvec3& p : evaluate_positions(surface, places)) {
+    if (box.contains(p)) largest = std::max(largest, mesh.distance(p));
+  }
+  return largest;
+}
+
+/// The sheet on the finite side of a pole leaves the box between sides of cells. A vertex of one
+/// side is outside of the box then, beside the pole, or the sheet ends at a chord before it.
+TEST(Clip, ReachesPolesFromTheirFiniteSides) {
+  constexpr double kTolerance = 0.02;
+  const char* const cases[] = {"u/mod(v,0.1)", "(u+v)/mod(v,0.1)", "(v>0.1)?1/(v-0.1):20*u",
+                               "(v>0.1)?1/(v-0.1):20*u*(1+v)"};
+  for (const char* const z : cases) {
+    const Surface surface = height_field(z);
+    MeshRequest options = within_length(kTolerance);
+    options.clip = Bounds{dvec3(-1, -1, -9.9857), dvec3(1, 1, 9.9857)};
+    options.lines = {15, 15};
+    const MeshResult result = try_mesh(surface, options).value();
+    const TriangleTree mesh(result.mesh);
+    for (int k = -9; k <= 10; ++k)
+      EXPECT_LE(largest_distance_beside(0.1 * k, surface, *options.clip, mesh), kTolerance)
+          << z << ", v = " << 0.1 * k;
+  }
+}
+
 /// Cells that are cut have twice as many triangles, and those count.
 TEST(Clip, KeepsTheLimitOfTrianglesWherePolesEndOnFaces) {
   MeshRequest options = within_length(1e-3);
