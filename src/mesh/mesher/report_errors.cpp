@@ -178,9 +178,12 @@ class ErrorReporter {
               MeshReport& report) const {
     PlacedError worst;
     std::vector<std::size_t> suspects;
+    bool is_off = false;  // in leaves that are not clipped
     for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
       const Leaf& leaf = mesh_.leaves[k];
-      if (mesher_.is_clipped(leaf)) continue;
+      // On the way to a pole that no search found, the surface may cross the box between vertices.
+      const bool is_clipped = mesher_.is_clipped(leaf);
+      if (is_clipped && (mesh_.is_near(k) || !leaf.state.is_whole())) continue;
       const bool is_missing = triangles.of(k).empty();
       if (is_missing && !is_missing_part(k)) continue;
       const PlacedError error = error_of(k);
@@ -188,7 +191,8 @@ class ErrorReporter {
           (is_missing || is_covered(leaf) || is_of_surface(k) || has_edge(leaf) ||
            (request.clip && (leaf.state.leads_to_pole() || mesher_.crosses_box(leaf))))) {
         suspects.push_back(k);
-      } else if (is_missing) {
+        is_off = is_off || !is_clipped;
+      } else if (is_missing || is_clipped) {
         continue;
       } else if (error.distance > worst.distance) {
         worst = error;
@@ -207,7 +211,7 @@ class ErrorReporter {
     }
     const PlacedError beside = append_edges(surface, request, suspects, triangles, suspected);
     if (beside.distance > worst.distance) worst = beside;
-    const PlacedError found = search(surface, request, suspected, triangles);
+    const PlacedError found = search(surface, request, suspected, is_off, triangles);
     if (found.distance > worst.distance) worst = found;
     report.max_error = worst.distance;
     if (worst.distance > *report.tolerance) report.worst_place = worst.uv;
@@ -286,15 +290,16 @@ class ErrorReporter {
     return worst;
   }
 
+  /// `is_off`: whether the mesh has errors for which all of it is searched.
   PlacedError search(const Surface& surface, const MeshRequest& request,
-                     std::span<SearchedLeaf> suspected, const LeafTriangles& triangles) const {
+                     std::span<SearchedLeaf> suspected, bool is_off,
+                     const LeafTriangles& triangles) const {
     std::vector<SearchedPart> others;
     const bool is_sampled = request.samples.has_value();
     std::vector<std::size_t> leaves = searchable_leaves(triangles);
     if (!is_sampled) keep_largest(leaves);
     for (const std::size_t k : leaves) {
-      if (is_sampled || !suspected.empty() || triangles.of(k).empty())
-        others.push_back(searched(k, triangles));
+      if (is_sampled || is_off || triangles.of(k).empty()) others.push_back(searched(k, triangles));
     }
     std::optional<WholeMeshError> whole;
     const auto measured = [&]() -> const WholeMeshError& {
