@@ -88,12 +88,14 @@ TEST_F(CheckCommand, TellsSingularPointsFromLinesAndCurves) {
   says("z=1/3+(u^2+v^2)/hypot(u,v)", "v = 0 is the point (0, 0, 0.3333) with a normal on each way");
   // At a corner of the domain, too, it depends on the way.
   says("pillow", "singular    4 points: ");
-  for (const Json& place : facts({"pillow"})["singular_points"]) {
+  const Json pillow = facts({"pillow"});
+  for (const Json& place : pillow["singular_points"]) {
     EXPECT_TRUE(place["isolated"]);
     EXPECT_TRUE(place["normal"].is_null());
     EXPECT_GE(place["normals"].size(), 2U);
   }
-  for (const Json& place : facts({"sphere"})["singular_places"]) EXPECT_FALSE(place["isolated"]);
+  const Json sphere = facts({"sphere"});
+  for (const Json& place : sphere["singular_places"]) EXPECT_FALSE(place["isolated"]);
 }
 
 TEST_F(CheckCommand, CountsSingularPointsOfSpace) {

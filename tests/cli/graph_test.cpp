@@ -236,7 +236,8 @@ TEST_F(GraphCommand, WarnsWhereALargeFeatureCouldBeMissing) {
     }
   }
   for (const std::string smooth : {"boy", "kuen", "superellipsoid", "z=besselj0(10*hypot(u,v))"}) {
-    for (const Json& warning : meshed({smooth})["warnings"])
+    const Json report = meshed({smooth});
+    for (const Json& warning : report["warnings"])
       EXPECT_FALSE(contains(warning, "could be missing")) << warning;
   }
 }
