@@ -1,7 +1,6 @@
 #include "mesh/mesher/report_errors.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -28,9 +27,8 @@ namespace {
 /// searched for what samples miss; a grid of given cells is searched everywhere: nothing else chose
 /// them. Oscillating leaves are waves if they are more; fewer are parts of a ridge.
 constexpr std::size_t kFewOfAll = 16;
-/// The search climbs from the worst kMostFollowed leaves, with 160 evaluations each. Bounds are
-/// followed in up to kMostOpen leaves of each kind, then over up to 8,192 boxes: or over the share
-/// of searches that the surface may have.
+/// The search climbs from the worst kMostFollowed leaves. Bounds are followed in up to kMostOpen
+/// leaves of each kind, then over up to 8,192 boxes, or the share that the surface may have.
 constexpr std::size_t kMostBoxes = 8192;
 
 /// A leaf that is searched for the largest error.
@@ -172,8 +170,7 @@ class ErrorReporter {
         strictest_(report.rounding ? std::numeric_limits<double>::infinity() : tolerance_) {}
 
   /// The largest errors of the triangles. Errors above the tolerance that the mesh was made for are
-  /// searched for again, against the whole mesh. Beside a pole or a face of the clip box the place
-  /// may be outside of the box, and the triangles in it near the surface.
+  /// searched for again, against the whole mesh.
   void report(const Surface& surface, const MeshRequest& request, const LeafTriangles& triangles,
               MeshReport& report) const {
     PlacedError worst;
@@ -187,9 +184,7 @@ class ErrorReporter {
       const bool is_missing = triangles.of(k).empty();
       if (is_missing && !is_missing_part(k)) continue;
       const PlacedError error = error_of(k);
-      if (error.distance > tolerance_ &&
-          (is_missing || is_covered(leaf) || is_of_surface(k) || has_edge(leaf) ||
-           (request.clip && (leaf.state.leads_to_pole() || mesher_.crosses_box(leaf))))) {
+      if (error.distance > tolerance_ && (is_missing || may_be_near(k, request.clip.has_value()))) {
         suspects.push_back(k);
         is_off = is_off || !is_clipped;
       } else if (is_missing || is_clipped) {
@@ -259,8 +254,15 @@ class ErrorReporter {
     return mesh_.error_place(k) && leaf.state.is_on_boundary() && !leaf.state.is_left_out();
   }
 
-  /// Whether the surface ends in a leaf: triangles of other leaves may be nearer to it than its
-  /// own.
+  /// Whether a place far from its leaf's triangles may be near others, or outside of the clip box.
+  bool may_be_near(std::size_t k, bool has_clip_box) const {
+    const Leaf& leaf = mesh_.leaves[k];
+    const bool is_beside_box = leaf.state.leads_to_pole() || mesher_.crosses_box(leaf);
+    return is_covered(leaf) || is_of_surface(k) || has_edge(leaf) ||
+           (has_clip_box && is_beside_box);
+  }
+
+  /// Whether the surface ends in a leaf: other leaves' triangles may be nearer to it than its own.
   bool has_edge(const Leaf& leaf) const {
     return leaf.state.is_on_boundary() && !is_beyond_search(leaf) &&
            !has_cut(FeatureKind::Jump, leaf, tree_) && !mesher_.crosses_box(leaf);
