@@ -68,7 +68,7 @@ AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& reques
               seen_lines(plan.lines.u, plan.drawn.u),
               seen_lines(plan.lines.v, plan.drawn.v),
               request.threads,
-              share_of_diagonal(plan),
+              plan.tolerance.share_of_diagonal(plan.probe.bounds()),
               request.leaves_at_a_time},
       coarser_(plan.coarser),
       grid_(sample_grid(surface, std::move(plan.lines.u), std::move(plan.lines.v), request.threads,

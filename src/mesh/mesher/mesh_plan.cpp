@@ -63,8 +63,9 @@ void place_root_lines(const MeshRequest& request, MeshPlan& plan) {
     plan.lines = place_lines(plan.probe, plan.fixed, plan.sizing, 1 / std::sqrt(factor));
   };
   place(1);
-  const double most = std::max(kMostRootLines / share_of_diagonal(plan),
-                               static_cast<double>(plan.fixed.u.size() + plan.fixed.v.size()));
+  const double most =
+      std::max(kMostRootLines / plan.tolerance.share_of_diagonal(plan.probe.bounds()),
+               static_cast<double>(plan.fixed.u.size() + plan.fixed.v.size()));
   // Places the lines for ever larger tolerances while there are too many by this factor. Returns
   // by how much the tolerance grew.
   const auto place_fewer = [&](double factor, const auto& excess) {
@@ -161,12 +162,6 @@ std::optional<MeshPlan> plan_mesh(const Surface& surface, const MeshRequest& req
   place_root_lines(request, plan);
   if (std::max(plan.lines.u.size(), plan.lines.v.size()) > kMostCellsEachWay) return std::nullopt;
   return plan;
-}
-
-double share_of_diagonal(const MeshPlan& plan) {
-  const Bounds& bounds = plan.probe.bounds();
-  const double diagonal = bounds.diagonal();
-  return plan.tolerance(bounds.centre(), diagonal) / diagonal;
 }
 
 MeshReport report_of(const MeshPlan& plan) {

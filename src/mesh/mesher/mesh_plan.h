@@ -36,9 +36,6 @@ std::optional<MeshPlan> plan_mesh(const Surface& surface, const MeshRequest& req
 /// A tolerance that is infinite outside of the clip box.
 Tolerance tolerance_within(const std::optional<Bounds>& clip, const Tolerance& tolerance);
 
-/// The tolerance as a share of the surface's diagonal.
-double share_of_diagonal(const MeshPlan& plan);
-
 /// A report with the tolerance and the limits of the plan.
 MeshReport report_of(const MeshPlan& plan);
 

@@ -37,8 +37,10 @@ dvec2 place_of_pole(const dvec2& a, const dvec2& b) {
   return place;
 }
 
-/// Moves the last places of ways to where the surface is finite: bisection may end on the pole.
-void end_where_finite(std::span<PoleWay> ways, const TraceOptions& options, const CellTree& tree) {
+/// Draws the last places of ways back to where the surface is finite: bisection may end on the
+/// pole.
+void draw_back_from_poles(std::span<PoleWay> ways, const TraceOptions& options,
+                          const CellTree& tree) {
   std::vector<dvec2> last;
   for (const PoleWay& way : ways) last.push_back(way.last);
   const auto at_last = evaluate(tree.surface(), last, options.threads);
@@ -106,8 +108,9 @@ std::uint8_t exit_of(const Bounds& box, const dvec3& place) {
 
 /// The places beside poles at which ways end on the finite sides of these, outside of the clip box,
 /// too: chords to a place before them would cut off a part of the sheet. Nothing for other ways.
-std::vector<std::optional<dvec2>> finite_ends(std::span<const PoleWay> ways,
-                                              const TraceOptions& options, const CellTree& tree) {
+std::vector<std::optional<dvec2>> ends_on_finite_sides(std::span<const PoleWay> ways,
+                                                       const TraceOptions& options,
+                                                       const CellTree& tree) {
   const Bounds& box = *options.clip;
   std::vector<Line> lines;
   std::vector<dvec2> near;
@@ -132,7 +135,7 @@ std::vector<std::optional<dvec2>> finite_ends(std::span<const PoleWay> ways,
 /// Moves places beside poles to the faces of the clip box, but on the finite sides of poles.
 void end_at_limits(std::span<const PoleWay> ways, std::span<Between> places,
                    const TraceOptions& options, const CellTree& tree) {
-  const std::vector<std::optional<dvec2>> ends = finite_ends(ways, options, tree);
+  const std::vector<std::optional<dvec2>> ends = ends_on_finite_sides(ways, options, tree);
   const std::vector<dvec2> faces = leave_box(ways, options, tree);
   for (std::size_t k = 0; k < ways.size(); ++k) places[k].uv = ends[k].value_or(faces[k]);
 }
@@ -147,7 +150,7 @@ void cut_at_once(std::span<const Side> sides, const TraceOptions& options, CellT
     ways.push_back({a, beside_a, pole});
     ways.push_back({b, beside_b, pole});
   }
-  end_where_finite(ways, options, tree);
+  draw_back_from_poles(ways, options, tree);
   for (std::size_t k = 0; k < ways.size(); ++k) {
     const auto& [a, b] = sides[k / 2];
     places.push_back({a, b, ways[k].last});

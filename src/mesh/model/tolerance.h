@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/bounds.h"
 #include "base/vec.h"
 
 namespace saddle {
@@ -29,6 +30,12 @@ class Tolerance {
 
   double operator()(const dvec3& place, double reach = 0) const {
     return same_ ? *same_ : near_(place, reach);
+  }
+
+  /// The least of a whole surface within these bounds, as a share of their diagonal.
+  double share_of_diagonal(const Bounds& bounds) const {
+    const double diagonal = bounds.diagonal();
+    return (*this)(bounds.centre(), diagonal) / diagonal;
   }
 
   bool is_same_everywhere() const { return same_.has_value(); }

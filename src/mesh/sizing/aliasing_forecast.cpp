@@ -72,8 +72,7 @@ glm::bvec2 AliasingForecast::at(const dvec2& uv) const {
 }
 
 bool foresees_aliasing(const Probe& probe, const Tolerance& tolerance) {
-  const double diagonal = probe.bounds().diagonal();
-  const double narrow = kNarrow * tolerance(probe.bounds().centre(), diagonal) / diagonal;
+  const double narrow = kNarrow * tolerance.share_of_diagonal(probe.bounds());
   const dvec2 size = narrow * box_of(probe.domain()).size();
   return AliasingForecast(probe.linearization_errors(size, tolerance)).any();
 }
