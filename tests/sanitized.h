@@ -9,4 +9,12 @@ inline constexpr bool kIsSanitized = true;
 inline constexpr bool kIsSanitized = false;
 #endif
 
+/// A process that is forked from one with threads does not run its signal handlers under the thread
+/// sanitizer.
+#if defined(__SANITIZE_THREAD__)
+inline constexpr bool kForkHandlesSignals = false;
+#else
+inline constexpr bool kForkHandlesSignals = true;
+#endif
+
 }  // namespace saddle

@@ -18,6 +18,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/temporary.h"
+#include "sanitized.h"
 #include "temporary_folder.h"
 #include "wait_for_child.h"
 
@@ -76,6 +77,7 @@ int end_in_the_middle(const fs::path& path, int signal_number,
 }
 
 TEST_F(KilledRun, LeavesNothingAtAllWhenItIsAskedToEnd) {
+  if (!kForkHandlesSignals) GTEST_SKIP();
   for (const int signal_number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU}) {
     const int status =
         end_in_the_middle(folder / "a", signal_number, [this] { EXPECT_EQ(names().size(), 1u); });
@@ -86,6 +88,7 @@ TEST_F(KilledRun, LeavesNothingAtAllWhenItIsAskedToEnd) {
 }
 
 TEST_F(KilledRun, LeavesNothingOfSeveralFilesWhenItIsAskedToEnd) {
+  if (!kForkHandlesSignals) GTEST_SKIP();
   int ready[2];
   ASSERT_EQ(pipe(ready), 0);
   const pid_t child = fork();
@@ -106,6 +109,7 @@ TEST_F(KilledRun, LeavesNothingOfSeveralFilesWhenItIsAskedToEnd) {
 }
 
 TEST_F(KilledRun, LeavesTheOldFileWhenItIsAskedToEnd) {
+  if (!kForkHandlesSignals) GTEST_SKIP();
   write_file_whole(folder / "a", [](std::ostream& out) { out << "old"; });
   end_in_the_middle(folder / "a", SIGTERM, [] {});
   EXPECT_EQ(read_file(folder / "a"), "old");
