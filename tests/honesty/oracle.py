@@ -11,15 +11,19 @@ RADII = (1e-10, 1e-12, 3e-14, 1e-15)
 NEIGHBOURS = 12
 # Lines between samples that a search halves: at first, and of these the nearest to the last digit.
 BROAD, NARROW = 14, 4
+# Shares of a way toward a wall: nearly all doubles that a wall at 0 may have.
+TOWARD_WALL = np.concatenate([[0], 10.0 ** np.linspace(-300, -18, 120), 10.0 ** np.linspace(-17, 0, 70)])
 # Distances up to this share of the unit are not searched for smaller ones.
 ENOUGH = 0.85
 
 
 class Found:
-    """The largest distance, where it is, and the next best places."""
+    """The largest distance, where it is, and the next best places. Of a place of the mesh, the
+    parameters of its triangle's corners, too."""
 
-    def __init__(self, way, distance=0.0, st=None, point=None, candidates=()):
+    def __init__(self, way, distance=0.0, st=None, point=None, corners=None, candidates=()):
         self.way, self.distance, self.st, self.point = way, distance, st, point
+        self.corners = corners
         self.candidates = [self, *candidates] if st is not None else []
 
 
@@ -37,13 +41,15 @@ def is_solid(surface, st, small, rng, precise=False):
     return solid & ~np.isnan(values[:, 0])
 
 
-def found_of(way, distances, st, points, most=6):
+def found_of(way, distances, st, points, corners=None, most=6):
     """The largest of distances; a few more as candidates."""
     order = np.argsort(-distances)
     order = np.unique(np.concatenate([order[:1], order[1:][::max(1, len(order) // most)]]))
     order = order[np.argsort(-distances[order])]
-    all_found = [Found(way, distances[n], st[n], points[n]) for n in order[:most]]
-    return Found(way, distances[order[0]], st[order[0]], points[order[0]], all_found[1:])
+    all_found = [Found(way, distances[n], st[n], points[n], None if corners is None else corners[n])
+                 for n in order[:most]]
+    all_found[0].candidates.extend(all_found[1:])
+    return all_found[0]
 
 
 def farthest(distances, most):
@@ -170,7 +176,8 @@ class Oracle:
     # --- the mesh's places on the surface -------------------------------------------------------
 
     def samples(self):
-        """Corners, middles of edges, centroids and random points of triangles: points, places."""
+        """Corners, middles of edges, centroids and random points of triangles: points, places, middles
+        and sizes of their triangles, and the parameters of these triangles' corners."""
         rng, mesh = self.rng, self.mesh
         points, st = mesh.points[mesh.triangles], self.mesh_st[mesh.triangles]
         middles = st.mean(axis=1)
@@ -190,14 +197,15 @@ class Oracle:
                 w = rng.dirichlet((0.7, 0.7, 0.7), count)
             own = np.einsum("nk,nkd->nd", w, st[chosen])
             size = length(st[chosen].max(axis=1) - st[chosen].min(axis=1))
-            found.append((np.einsum("nk,nkd->nd", w, points[chosen]), inside(own), middles[chosen], size))
+            found.append((np.einsum("nk,nkd->nd", w, points[chosen]), inside(own), middles[chosen], size,
+                          mesh.uv[mesh.triangles[chosen]]))
         return [np.concatenate(parts) for parts in zip(*found)]
 
     def _distance(self, points, st):
         return _length(self.surface(st) - points)
 
     def backward(self):
-        points, st, middles, sizes = self.samples()
+        points, st, middles, sizes, corners = self.samples()
         best = self._distance(points, st)
         enough = self.enough
         for share in (1e-12, 1e-6, 1e-2):  # toward the middle of the triangle
@@ -234,7 +242,7 @@ class Oracle:
                 got[far], _ = self.closest(points[block[far]], start[block[far]], sizes[block[far]],
                                            got[far])
             if got.max() > found.distance:
-                found = found_of("mesh", got, st[block], points[block])
+                found = found_of("mesh", got, st[block], points[block], corners[block])
         return found
 
     def closest(self, points, st, sizes, best, rounds=2):
@@ -290,22 +298,49 @@ class Oracle:
             best = np.minimum(best, got[rows, which])
         return best, at
 
+    def beside_walls(self, points, st, corners):
+        """Least distances to the surface where one parameter alone comes ever closer to 0, or to that
+        of a corner of a place's triangle. Beside a pole, as that of u/cbrt(v) or v*ln(u), the surface
+        is a wall that is much thinner than steps in the unit square of parameters may be."""
+        uv = np.stack(self.surface.uv(st), axis=-1)
+        rows = np.arange(len(points))[:, None]
+        best = np.full(len(points), np.inf)
+        for axis in (0, 1):
+            for corner in corners[:, :, axis].T:
+                for to, start in ((np.zeros_like(corner), corner), (corner, uv[:, axis])):
+                    line = np.repeat(uv[:, None], len(TOWARD_WALL), axis=1)
+                    line[:, :, axis] = to[:, None] + TOWARD_WALL * (start - to)[:, None]
+                    values = self._at_uv(line)
+                    pairs = [line[:, 1:], line[:, :-1], values[:, 1:], values[:, :-1]]
+                    near = self._to_segments(points[:, None], *pairs[2:])
+                    chosen = np.argsort(near, axis=1)[:, :NARROW]
+                    got, _, _ = self._halve(points[:, None], *(array[rows, chosen] for array in pairs),
+                                            40, self._at_uv)
+                    best = np.minimum(best, got.min(axis=1))
+        return best
+
+    def _at_uv(self, uv):
+        with np.errstate(all="ignore"):
+            return self.surface.at_uv(uv[..., 0], uv[..., 1])
+
     def _to_segments(self, points, a, b):
         """Distances to segments; to the defined end of those that leave the surface."""
         lost = np.isnan(a[..., :1])
         start = np.where(lost, b, a)
         d = np.where(lost | np.isnan(b[..., :1]), 0, b - a)
         square = np.einsum("...k,...k", d, d)
-        along = np.einsum("...k,...k", points - start, d) / np.where(square > 0, square, 1)
+        with np.errstate(all="ignore"):  # beside a pole both may be infinite
+            along = np.einsum("...k,...k", points - start, d) / np.where(square > 0, square, 1)
         foot = start + np.clip(along, 0, 1)[..., None] * d
         return _length(points - foot)
 
-    def _halve(self, points, a, b, ra, rb, steps):
+    def _halve(self, points, a, b, ra, rb, steps, surface=None):
         """Halves pairs toward points; the nearest places on the way, and the last pairs."""
+        surface = surface or self.surface
         best, at = np.full(a.shape[:-1], np.inf), a
         for _ in range(steps):
             middle = (a + b) / 2
-            rm = self.surface(middle)
+            rm = surface(middle)
             distance = _length(rm - points)
             at = np.where((distance < best)[..., None], middle, at)
             best = np.minimum(best, distance)

@@ -63,8 +63,13 @@ class Run:
         self.timed_out = self.status in (-signal.SIGXCPU, -signal.SIGKILL)
 
 
-def clip_box(report):
-    """The box that warnings name; their four digits are rounded inward, or to the mesh's own bounds."""
+def clip_box(report, options=()):
+    """The box of --clip=X0:X1,Y0:Y1,Z0:Z1 or the one that warnings name, whose four digits are rounded
+    inward, or to the mesh's own bounds."""
+    asked = next((option for option in options if option.startswith("--clip=")), None)
+    if asked:
+        sides = asked.removeprefix("--clip=").split(",")
+        return np.array([[float(end) for end in side.split(":")] for side in sides]).T
     text = next((re.search(r"clipped to (.*?);", w).group(1) for w in report["warnings"]
                  if "clipped to" in w), None)
     if text is None:
@@ -175,14 +180,14 @@ def judge(program, formulas, options=(), hints=(), seed=0):
         return result | {"verdict": "right", "note": "no extent", "found": 0.0, "told": told}
     # An error that is told is sought to a third of it, which tells whether it is overstated.
     enough = ENOUGH if (told or 0) <= RIGHT * unit else min(ENOUGH, told / unit / 3.3)
-    oracle = Oracle(surface, run.mesh, unit, clip_box(run.report), seed, hints, enough=enough)
+    oracle = Oracle(surface, run.mesh, unit, clip_box(run.report, options), seed, hints, enough=enough)
     both = [oracle.forward(), oracle.backward()]
     for k, found in enumerate(both):
         if name_of(found.distance, told, unit, told_by_words, run.report) in ACCUSATIONS:
             both[k] = confirmed(found, oracle, seed)
     found = max(both, key=lambda way: way.distance)
     if name_of(found.distance, told, unit, told_by_words, run.report) == "falsely warned":
-        oracle = Oracle(surface, run.mesh, unit, clip_box(run.report), seed + 1, hints, 2, enough)
+        oracle = Oracle(surface, run.mesh, unit, clip_box(run.report, options), seed + 1, hints, 2, enough)
         again = oracle.forward()
         found = max(found, again, oracle.backward(), key=lambda way: way.distance)
     result["surface"], result["mesh"] = (round(way.distance / unit, 4) for way in both)
@@ -211,7 +216,8 @@ def confirmed(found, oracle, seed):
             proved = candidate.distance if same < 0.05 * oracle.unit and is_solid(
                 oracle.surface, st, 0.2 * oracle.unit, rng, precise=True)[0] else 0
         else:
-            proved = min(candidate.distance, distance_to_surface(oracle, point, st))
+            proved = min(candidate.distance, distance_to_surface(oracle, point, st),
+                         oracle.beside_walls(point[None], st, candidate.corners[None])[0])
         if proved > RIGHT * oracle.unit:
             candidate.distance = proved
             return candidate
