@@ -20,38 +20,35 @@ namespace {
 /// Where a leaf without triangles is sampled, in sides of the leaf.
 constexpr std::array kLeafPlaces = {dvec2(0.5, 0.5), dvec2(0.3, 0.2), dvec2(0.8, 0.3),
                                     dvec2(0.7, 0.8), dvec2(0.2, 0.7)};
-constexpr std::size_t kPlaceGroup = 1 + kFourWays.size();  // a place and those beside it
+/// Between a face and a boundary without a limit, as of u/sqrt(v) at u=0, an edge is a parabola of
+/// parameters: all but 1/16 of it is before the place that is nearest to its end.
+constexpr std::array kMiddleAndNearEnds = {0.5, 1.0 / 256, 255.0 / 256};
 
 }  // namespace
 
 void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
                            std::span<const Triangle> triangles, double allowed) {
+  if (reach_outside(clip_, grid_.mesh, triangles)) {
+    // Chords may be beyond the box. They count on the way to a pole, where the edge may be in it.
+    if (has_cut(FeatureKind::Face, leaf, tree_) && leaf.state.cut() == LeafCut::Boundary)
+      add_chords(leaf, number, triangles, FeatureKind::Boundary);
+    return;
+  }
   const bool is_cut = leaf.state.is_cut_by_feature();
   if (is_cut && has_cut(FeatureKind::Cliff, leaf, tree_)) {
     delta_ = std::min(delta_, allowed);
     return add_chords(leaf, number, triangles, FeatureKind::Cliff);
   }
-  if (is_cut && has_cut(FeatureKind::Jump, leaf, tree_)) {
-    if (leaf.state.leads_to_pole() || has_cut(FeatureKind::Pole, leaf, tree_)) return;
-    delta_ = std::min(delta_, allowed);
-    add_flat_sheets(leaf, number, allowed);
-    if (!triangles.empty() && close_jumps_.add(leaf, number, triangles)) return;
-    if (!triangles.empty()) {
-      const std::size_t first = jumps_.size();
-      add_chords(leaf, number, triangles, FeatureKind::Jump);
-      const bool is_slight = has_slight_jump(leaf, allowed);
-      for (EdgeChord& chord : std::span(jumps_).subspan(first)) chord.is_at_slight_jump = is_slight;
-      return;
-    }
+  if (is_cut && has_cut(FeatureKind::Jump, leaf, tree_))
+    return add_at_jump(leaf, number, triangles, allowed);
+  if (leaf.state.cut() != LeafCut::Boundary) return;
+  if (strips_.add(leaf, number, triangles, allowed)) {
+    if (triangles.empty()) add_bulges(leaf, number);  // the strip may end before the first line
+  } else if (triangles.empty()) {
+    add_omitted(leaf, number);
   } else {
-    if (leaf.state.cut() != LeafCut::Boundary) return;
-    if (strips_.add(leaf, number, triangles, allowed)) {
-      if (triangles.empty()) add_bulges(leaf, number);  // the strip may end before the first line
-      return;
-    }
-    if (!triangles.empty()) return add_chords(leaf, number, triangles, FeatureKind::Boundary);
+    add_chords(leaf, number, triangles, FeatureKind::Boundary);
   }
-  add_omitted(leaf, number);
 }
 
 void BoundaryDistance::add_omitted(const Leaf& leaf, std::size_t number) {
@@ -66,6 +63,12 @@ void BoundaryDistance::add_omitted(const Leaf& leaf, std::size_t number) {
   }
 }
 
+/// Where chords of a boundary in a leaf are looked across.
+std::span<const double> BoundaryDistance::places_on_edge(const Leaf& leaf) const {
+  const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
+  return is_at_face ? std::span<const double>(kMiddleAndNearEnds) : std::span(kMiddleOfLine);
+}
+
 /// Adds the stretches of the sides of a leaf without triangles between two boundaries, edge by
 /// edge: the surface reaches into the leaf there, if it is defined in an edge's middle.
 void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
@@ -76,6 +79,7 @@ void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
     const std::optional<EdgeFeature> feature = tree_.edges().feature(side[0], side[1]);
     return feature && feature->is_boundary() ? feature : std::nullopt;
   };
+  const std::span<const double> places = places_on_edge(leaf);
   std::vector<Side> sides;  // from where the surface enters the leaf on
   for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) { sides.push_back({a, b}); });
   const auto enters = std::ranges::find_if(sides, [&](const Side& side) {
@@ -93,46 +97,29 @@ void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
     const std::uint32_t end = feature->beside_first;
     if (!stretch.empty()) stretch.push_back(end);
     for (std::size_t k = 1; k < stretch.size(); ++k) {
-      const dvec2 middle = 0.5 * (place(stretch[k - 1]) + place(stretch[k]));
       const dvec2 along = place(stretch[k]) - place(stretch[k - 1]);
       if (along == dvec2(0)) continue;
-      const dvec2 at = low + size * middle;
-      // Counter-clockwise, the leaf is to the left.
-      const dvec2 beyond = low + size * border_of_square(middle, {-along.y, along.x});
-      chords_.push_back(
-          {number, {}, {}, {stretch[k - 1], stretch[k]}, at, at, at, beyond, std::nullopt, false});
+      for (const double share : places) {
+        const dvec2 start = glm::mix(place(stretch[k - 1]), place(stretch[k]), share);
+        const dvec2 at = low + size * start;
+        // Counter-clockwise, the leaf is to the left.
+        const dvec2 beyond = low + size * border_of_square(start, {-along.y, along.x});
+        const Chord ends = {stretch[k - 1], stretch[k]};
+        chords_.push_back({number,
+                           {},
+                           {},
+                           ends,
+                           at,
+                           at,
+                           at,
+                           beyond,
+                           std::nullopt,
+                           false,
+                           share != kMiddleOfLine[0]});
+      }
     }
     stretch.clear();
     if (tree_.geometry().is_defined(b)) stretch = {end, b};
-  }
-}
-
-/// Adds the sheets that reach into a leaf across one side alone. They have no triangles there, as
-/// their vertices are on that side.
-void BoundaryDistance::add_flat_sheets(const Leaf& leaf, std::size_t number, double allowed) {
-  const dvec2 low = tree_.vertices().parameters(leaf.low);
-  const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
-  const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
-  for (const Polygon& sheet : sub_polygons(leaf, tree_)) {
-    if (!is_flat(sheet)) continue;
-    const Chord ends = {sheet.front().corner, sheet.back().corner};
-    const dvec2 along = place(ends[1]) - place(ends[0]);
-    std::vector<dvec2> starts;
-    starts.reserve(kAlongLine.size());
-    for (const double share : kAlongLine)
-      starts.push_back(low + size * glm::mix(place(ends[0]), place(ends[1]), share));
-    const std::vector<SurfacePoint> points = evaluate(surface_, starts, threads_);
-    evaluations_ += points.size();
-    // On a jump along the side the surface is on another sheet.
-    if (std::ranges::any_of(points, [&](const SurfacePoint& point) {
-          return !(distance_from_chord(grid_, ends, point.position) <= allowed);
-        }))
-      continue;
-    for (const dvec2& start : starts) {
-      // Counter-clockwise, the leaf is to the left.
-      const dvec2 beyond = low + size * border_of_square((start - low) / size, {-along.y, along.x});
-      jumps_.push_back({number, {}, {}, ends, start, start, start, beyond, std::nullopt, false});
-    }
   }
 }
 
@@ -164,11 +151,12 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
   // Ways through the places on a jump are not straight across: the largest distance is predicted.
   // A corner of a boundary is solved for; its arc is farthest in the middle.
   const std::span<const double> places =
-      is_jump ? std::span<const double>(kAlongLine) : std::span<const double>(kMiddleOfLine);
+      is_jump ? std::span<const double>(kAlongLine) : places_on_edge(leaf);
+  const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
+  const bool crosses = reach_outside(clip_, grid_.mesh, triangles);
   std::vector<EdgeChord>& chords = is_jump ? jumps_ : chords_;
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
-  const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
   const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
   const CellTriangles by_sides(triangles);
   for (std::uint32_t k = 0; k < triangles.size(); ++k) {
@@ -203,6 +191,7 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
                           low + size * border,
                           outside_of(leaf, sheet, border, way),
                           is_at_face,
+                          crosses || (!is_jump && share != kMiddleOfLine[0]),
                           is_cliff});
       }
     }
@@ -329,14 +318,41 @@ void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
   evaluations_ += chords_.size() * (2 + kHalvingsToEdge);
   for (std::size_t k = 0; k < chords_.size(); ++k) {
     const EdgeChord& chord = chords_[k];
+    const bool is_seen_at_middle = is_seen(clip_, at_middle[k].position);
+    if (chord.is_outward && !is_seen_at_middle) continue;
     found.push_back(
         {chord.leaf, distance_from_edge(chord, chord.triangles, boundary[k], at_boundary[k])});
     // A part of the surface beyond the chord may be near triangles of other leaves.
     if (is_beyond(chord, boundary[k])) found.back().uv = boundary[k];
-    if (!is_seen(clip_, at_middle[k].position)) continue;
+    if (!is_seen_at_middle) continue;
     found.push_back(
         {chord.leaf, distance_from(grid_, chord.triangles, chord.middle, at_middle[k].position)});
     found.back().uv = chord.middle;
+  }
+  measure_beyond_box(at_middle, found);
+}
+
+/// Where chords are outside of the clip box, the edge beyond them may be in it: that of sqrt(v)/u^2
+/// is z=0 up to the pole.
+void BoundaryDistance::measure_beyond_box(std::span<const SurfacePoint> at_middle,
+                                          std::vector<LeafDistance>& found) {
+  std::vector<const EdgeChord*> chords;
+  std::vector<Line> ways;
+  for (std::size_t k = 0; k < chords_.size(); ++k) {
+    const EdgeChord& chord = chords_[k];
+    const dvec3& position = at_middle[k].position;
+    if (!chord.is_outward || !is_finite(position) || is_seen(clip_, position)) continue;
+    chords.push_back(&chord);
+    ways.push_back({chord.middle, chord.beyond});
+  }
+  const std::vector<dvec2> ends = last_defined(surface_, ways, kHalvingsToEdge, threads_);
+  const std::vector<SurfacePoint> at_ends = evaluate(surface_, ends, threads_);
+  evaluations_ += chords.size() * (1 + kHalvingsToEdge);
+  for (std::size_t k = 0; k < chords.size(); ++k) {
+    if (!is_seen(clip_, at_ends[k].position)) continue;
+    const EdgeChord& chord = *chords[k];
+    found.push_back({chord.leaf, distance_from_edge(chord, chord.triangles, ends[k], at_ends[k])});
+    found.back().uv = ends[k];
   }
 }
 
@@ -358,14 +374,15 @@ double BoundaryDistance::distance_from_edge(const EdgeChord& chord,
 void BoundaryDistance::measure_omitted(std::vector<LeafDistance>& found) {
   const std::vector<SurfacePoint> points = evaluate(surface_, places_in_omitted_, threads_);
   evaluations_ += points.size();
-  for (std::size_t k = 0; k < points.size(); k += kPlaceGroup) {
+  const std::size_t group = 1 + kFourWays.size();  // a place and those beside it
+  for (std::size_t k = 0; k < points.size(); k += group) {
     if (!is_seen(clip_, points[k].position)) continue;
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t way = 1; way < kPlaceGroup; ++way) {
+    for (std::size_t way = 1; way < group; ++way) {
       const dvec3& beside = points[k + way].position;
       if (is_finite(beside)) nearest = std::min(nearest, glm::distance(beside, points[k].position));
     }
-    found.push_back({omitted_[k / (kPlaceGroup * kLeafPlaces.size())], nearest});
+    found.push_back({omitted_[k / (group * kLeafPlaces.size())], nearest});
   }
 }
 

@@ -35,7 +35,8 @@ class BoundaryDistance {
         close_jumps_(surface, grid, tree, threads) {}
 
   /// Adds a leaf with its triangles, which must outlive this, and its tolerance. Skips leaves
-  /// without a boundary or a jump, and those that lead to a pole.
+  /// without a boundary or a jump, those that lead to a pole, and those that cross the clip box
+  /// elsewhere than beside a pole.
   void add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
            double allowed);
 
@@ -60,6 +61,8 @@ class BoundaryDistance {
     /// Where the way goes on in the next leaf, if no corner of the sheet is on the side between.
     std::optional<dvec2> outside;
     bool is_at_face;  ///< of a leaf that ends on the box beside a pole
+    /// Whether only an edge beyond the chord counts, as the chord may leave the clip box.
+    bool is_outward = false;
     bool is_at_cliff = false;
     bool is_at_slight_jump = false;
   };
@@ -74,8 +77,11 @@ class BoundaryDistance {
   };
   std::vector<OuterSide> outer_chords(const Leaf& leaf, const Triangle& t,
                                       const CellTriangles& by_sides) const;
+  std::span<const double> places_on_edge(const Leaf& leaf) const;
   void add_omitted(const Leaf& leaf, std::size_t number);
   void add_bulges(const Leaf& leaf, std::size_t number);
+  void add_at_jump(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
+                   double allowed);
   void add_flat_sheets(const Leaf& leaf, std::size_t number, double allowed);
   std::optional<dvec2> outside_of(const Leaf& leaf, std::span<const Triangle> sheet,
                                   const dvec2& border, const dvec2& way) const;
@@ -93,6 +99,8 @@ class BoundaryDistance {
   void end_at_cliffs(std::span<const std::size_t> numbers,
                      std::vector<std::optional<SheetEnd>>& ends);
   void measure_chords(std::vector<LeafDistance>& found);
+  void measure_beyond_box(std::span<const SurfacePoint> at_middle,
+                          std::vector<LeafDistance>& found);
   void measure_jumps(std::vector<LeafDistance>& found);
   void measure_omitted(std::vector<LeafDistance>& found);
 

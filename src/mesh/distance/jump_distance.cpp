@@ -1,4 +1,5 @@
 // The part of BoundaryDistance that measures where sheets end beside jumps and cliffs.
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,7 +14,9 @@
 #include "mesh/model/clip.h"
 #include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
+#include "mesh/tree/feature_count.h"
 
 namespace saddle {
 
@@ -26,6 +29,49 @@ constexpr double kSlight = 2;
 constexpr double kLeastJump = 0.125;
 
 }  // namespace
+
+/// Adds a leaf with a jump, unless it leads to a pole.
+void BoundaryDistance::add_at_jump(const Leaf& leaf, std::size_t number,
+                                   std::span<const Triangle> triangles, double allowed) {
+  if (leaf.state.leads_to_pole() || has_cut(FeatureKind::Pole, leaf, tree_)) return;
+  delta_ = std::min(delta_, allowed);
+  add_flat_sheets(leaf, number, allowed);
+  if (triangles.empty()) return add_omitted(leaf, number);
+  if (close_jumps_.add(leaf, number, triangles)) return;
+  const std::size_t first = jumps_.size();
+  add_chords(leaf, number, triangles, FeatureKind::Jump);
+  const bool is_slight = has_slight_jump(leaf, allowed);
+  for (EdgeChord& chord : std::span(jumps_).subspan(first)) chord.is_at_slight_jump = is_slight;
+}
+
+/// Adds the sheets that reach into a leaf across one side alone. They have no triangles there, as
+/// their vertices are on that side.
+void BoundaryDistance::add_flat_sheets(const Leaf& leaf, std::size_t number, double allowed) {
+  const dvec2 low = tree_.vertices().parameters(leaf.low);
+  const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
+  const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
+  for (const Polygon& sheet : sub_polygons(leaf, tree_)) {
+    if (!is_flat(sheet)) continue;
+    const Chord ends = {sheet.front().corner, sheet.back().corner};
+    const dvec2 along = place(ends[1]) - place(ends[0]);
+    std::vector<dvec2> starts;
+    starts.reserve(kAlongLine.size());
+    for (const double share : kAlongLine)
+      starts.push_back(low + size * glm::mix(place(ends[0]), place(ends[1]), share));
+    const std::vector<SurfacePoint> points = evaluate(surface_, starts, threads_);
+    evaluations_ += points.size();
+    // On a jump along the side the surface is on another sheet.
+    if (std::ranges::any_of(points, [&](const SurfacePoint& point) {
+          return !(distance_from_chord(grid_, ends, point.position) <= allowed);
+        }))
+      continue;
+    for (const dvec2& start : starts) {
+      // Counter-clockwise, the leaf is to the left.
+      const dvec2 beyond = low + size * border_of_square((start - low) / size, {-along.y, along.x});
+      jumps_.push_back({number, {}, {}, ends, start, start, start, beyond, std::nullopt, false});
+    }
+  }
+}
 
 /// Where sheets end on the ways across chords: at jumps, or at the foot or head of a cliff.
 std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_of_sheets() {

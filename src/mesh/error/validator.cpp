@@ -85,13 +85,9 @@ SampledError Validator::sampled_error_of(const Leaf& leaf, std::span<const Trian
   return best;
 }
 
-/// Whether a corner of triangles is beyond a face of the box: a boundary there does not count.
+/// Whether triangles cross the clip box: boundaries outside of it do not count.
 bool Validator::crosses_box(std::span<const Triangle> triangles) const {
-  return clip_ && std::ranges::any_of(triangles, [this](const Triangle& t) {
-           return std::ranges::any_of(t, [this](std::uint32_t corner) {
-             return !clip_->contains(grid_.mesh.position[corner]);
-           });
-         });
+  return reach_outside(clip_, grid_.mesh, triangles);
 }
 
 std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
@@ -233,7 +229,7 @@ void Validator::validate_sharp_bends(ValidatedMesh& mesh, std::span<const std::s
     evaluations_ += centres.evaluations();
     for (std::size_t i = 0; i < some.size(); ++i) {
       const auto of_leaf = triangles.of(begin + i);
-      if (!(clip_ && crosses_box(of_leaf))) bends.add(mesh, some[i], of_leaf, centres.of(i));
+      if (!crosses_box(of_leaf)) bends.add(mesh, some[i], of_leaf, centres.of(i));
     }
   }
   bends.measure(mesh);
@@ -373,10 +369,8 @@ void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
   validate_across_faces(mesh, which, triangles);
   for (const std::size_t k : others) validate_omitted_corners(mesh, which[k], triangles.of(k));
   BoundaryDistance boundaries(surface_, grid_, tree_, clip_, threads_);
-  for (const std::size_t k : others) {
-    if (!crosses_box(triangles.of(k)))
-      boundaries.add(mesh.leaves[which[k]], which[k], triangles.of(k), mesh.allowed[which[k]]);
-  }
+  for (const std::size_t k : others)
+    boundaries.add(mesh.leaves[which[k]], which[k], triangles.of(k), mesh.allowed[which[k]]);
   for (const auto& [leaf, distance, is_at_jump, uv] : boundaries.measure()) {
     if (distance > mesh.allowed[leaf]) mesh.sampled_errors[leaf].is_off_chord = true;
     if (is_at_jump && distance > mesh.sampled_errors[leaf].distance)

@@ -139,6 +139,16 @@ class Face {
 
 }  // namespace
 
+bool reach_outside(const std::optional<Bounds>& clip, const Mesh& mesh,
+                   std::span<const Triangle> triangles) {
+  const auto is_outside = [&](std::uint32_t corner) {
+    return !clip->contains(mesh.position[corner]);
+  };
+  return clip && std::ranges::any_of(triangles, [&](const Triangle& t) {
+           return std::ranges::any_of(t, is_outside);
+         });
+}
+
 void clip_mesh(const Bounds& box, Mesh& mesh) {
   const double rounding = kRoundingOfSums * largest_coordinate(box);
   for (int axis = 0; axis < 3; ++axis) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "mesh/model/mesh.h"
 
@@ -28,6 +29,10 @@ bool is_beyond(const Bounds& box, const Positions& positions) {
 inline bool is_seen(const std::optional<Bounds>& clip, const dvec3& position) {
   return is_finite(position) && (!clip || clip->contains(position));
 }
+
+/// Whether a corner of triangles of a mesh is outside of a clip box, if there is one.
+bool reach_outside(const std::optional<Bounds>& clip, const Mesh& mesh,
+                   std::span<const Triangle> triangles);
 
 /// Removes everything outside of the box, whose faces may be infinitely far. Triangles and lines
 /// that cross a face end on it, at corners that neighbours share, with interpolated normals and
