@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
 
 #include "mesh/distance/boundary_distance.h"
 #include "mesh/distance/whole_mesh_error.h"
+#include "mesh/error/largest_error.h"
 #include "mesh/error/open_leaves.h"
 #include "mesh/error/validation_points.h"
 #include "mesh/mesher/adaptive_mesher.h"
@@ -27,132 +27,6 @@ namespace {
 /// searched for what samples miss; a grid of given cells is searched everywhere: nothing else chose
 /// them. Oscillating leaves are waves if they are more; fewer are parts of a ridge.
 constexpr std::size_t kFewOfAll = 16;
-/// The search climbs from the worst kMostFollowed leaves. Bounds are followed in up to kMostOpen
-/// leaves of each kind, then over up to 8,192 boxes, or the share that the surface may have.
-constexpr std::size_t kMostBoxes = 8192;
-
-/// A leaf that is searched for the largest error.
-struct SearchedLeaf {
-  double error = 0;  ///< by validation, scaled
-  SearchedPart part;
-  std::vector<dvec2> places;  ///< where its error was sampled
-};
-
-/// The search, from the largest known error down.
-class ErrorSearch {
- public:
-  ErrorSearch(const ParameterBox& domain, double tolerance, const WholeMeshError& whole,
-              const PlacedError& known)
-      : domain_(domain), tolerance_(tolerance), whole_(whole), worst_(known) {}
-
-  const PlacedError& worst() const { return worst_; }
-
-  /// Measures leaves at their places.
-  void measure(std::span<const SearchedLeaf> leaves) {
-    std::vector<WholeMeshError::Place> places;
-    for (const SearchedLeaf& leaf : leaves) {
-      for (const dvec2& uv : leaf.places)
-        places.push_back({uv, leaf.part.triangles, worst_.distance / leaf.part.scale});
-    }
-    const std::vector<double> found = whole_.distances(places);
-    std::size_t k = 0;
-    for (const SearchedLeaf& leaf : leaves) {
-      // A part without triangles may go on in leaves without vertices.
-      const ParameterBox& box = leaf.part.triangles.empty() ? domain_ : leaf.part.box;
-      WholeMeshError::Climb start{{0, leaf.part.box.middle()}, box, leaf.part.triangles};
-      for (const dvec2& uv : leaf.places) {
-        if (found[k] > start.best.distance) start.best = {found[k], uv};
-        ++k;
-      }
-      take(start.best, leaf.part.scale);
-      starts_.push_back({start, leaf.part.scale});
-    }
-  }
-
-  /// From so many leaves at most.
-  void climb(std::size_t most) {
-    std::ranges::stable_sort(starts_, std::ranges::greater(), &Start::error);
-    std::vector<WholeMeshError::Climb> climbs;
-    for (const Start& start : std::span(starts_).first(std::min(most, starts_.size())))
-      climbs.push_back(start.climb);
-    whole_.climb(climbs);
-    for (std::size_t k = 0; k < climbs.size(); ++k) take(climbs[k].best, starts_[k].scale);
-    starts_.clear();
-  }
-
-  /// Adds triangles that climb_on_mesh() measures.
-  void measure_triangles(const SearchedPart& part) {
-    if (part.scale != 1) return;
-    for (const Triangle& t : part.triangles) on_mesh_.push_back(&t);
-  }
-  void climb_on_mesh() { take(whole_.from_mesh(on_mesh_, worst_.distance, tolerance_), 1); }
-
- private:
-  struct Start {
-    WholeMeshError::Climb climb;
-    double scale;
-    double error() const { return scale * climb.best.distance; }
-  };
-
-  void take(const PlacedError& found, double scale) {
-    if (scale * found.distance > worst_.distance) worst_ = {scale * found.distance, found.uv};
-  }
-
-  ParameterBox domain_;
-  double tolerance_;
-  const WholeMeshError& whole_;
-  PlacedError worst_;
-  std::vector<Start> starts_;
-  std::vector<const Triangle*> on_mesh_;
-};
-
-/// A search for the largest error against the whole mesh.
-struct WholeMeshSearch {
-  double tolerance;  ///< of the report
-  const std::optional<Bounds>& clip;
-  double share;  ///< of searches, as of one of many surfaces
-  unsigned threads;
-  std::function<const WholeMeshError&()> whole;  ///< called only if there is anything to measure
-};
-
-/// The largest error, scaled. `suspects`: leaves that validation found to be off; each error is
-/// replaced only after its places were measured. `others`: leaves whose samples may miss a feature
-/// that sticks out.
-PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspects,
-                          std::span<const SearchedPart> others, KnownHulls& hulls,
-                          const WholeMeshSearch& how) {
-  const auto distance = [&how](const SearchedPart& part, const dvec2& uv, const dvec3& position,
-                               double known) {
-    return how.whole().distance({uv, part.triangles, known}, position);
-  };
-  FeatureSearch features(surface, hulls, distance, how.tolerance, how.clip, how.threads);
-  // Features that do not stick out are looked for in a mesh that is off anyway.
-  const auto shared = [&how](std::size_t most) {
-    return static_cast<std::size_t>(std::ceil(how.share * static_cast<double>(most)));
-  };
-  std::vector<SearchedPart> parts =
-      features.widest(shared(kMostOpen), suspects.empty() ? 0 : shared(kMostFollowed),
-                      others.size(), [others](std::size_t k) { return others[k]; });
-  if (suspects.empty() && parts.empty()) return {};
-  std::ranges::stable_sort(suspects, std::ranges::greater(), &SearchedLeaf::error);
-  for (const SearchedLeaf& leaf : suspects.first(std::min(shared(kMostOpen), suspects.size())))
-    parts.push_back(leaf.part);
-  // Without time or points the worst suspects are measured, and the others left.
-  if (surface.may_go_on()) features.dive(parts);
-  const PlacedError followed = features.search(surface.may_go_on() ? shared(kMostBoxes) : 0);
-  ErrorSearch search(box_of(surface.domain), how.tolerance, how.whole(), followed);
-  const std::size_t at_once = surface.may_go_on() ? kInBatch : kMostFollowed;
-  for (std::size_t next = 0;
-       next < suspects.size() && suspects[next].error > search.worst().distance; next += at_once) {
-    search.measure(suspects.subspan(next, std::min(at_once, suspects.size() - next)));
-    if (!surface.may_go_on()) return search.worst();
-  }
-  search.climb(shared(kMostFollowed));
-  for (const SearchedLeaf& leaf : suspects) search.measure_triangles(leaf.part);
-  for (const SearchedPart& part : others) search.measure_triangles(part);
-  search.climb_on_mesh();
-  return search.worst();
-}
 
 class ErrorReporter {
  public:
@@ -201,8 +75,7 @@ class ErrorReporter {
     for (const std::size_t k : suspects) {
       suspected.push_back({error_of(k).distance, searched(k, triangles), {}});
       suspected.back().part.sticks_out = false;
-      append_samples(k, suspected.back().places);
-      if (triangles.of(k).empty()) append_around(surface.domain, suspected.back().places);
+      append_places(surface.domain, k, triangles.of(k).empty(), suspected.back().places);
     }
     const PlacedError beside = append_edges(surface, request, suspects, triangles, suspected);
     if (beside.distance > worst.distance) worst = beside;
@@ -237,9 +110,13 @@ class ErrorReporter {
            !mesher_.landmarks().misses_hole(leaf);
   }
 
-  /// Whether a leaf is part of waves, or covers a hole: no other triangles reduce its error.
+  /// Whether a leaf is part of waves.
+  bool is_wave(const Leaf& leaf) const { return leaf.state.oscillates() && has_waves_; }
+
+  /// Whether a leaf is part of waves, which no search follows, or covers a hole, whose error no
+  /// other triangles reduce.
   bool is_beyond_search(const Leaf& leaf) const {
-    return (leaf.state.oscillates() && has_waves_) || mesher_.landmarks().misses_hole(leaf);
+    return is_wave(leaf) || mesher_.landmarks().misses_hole(leaf);
   }
 
   /// Whether the surface over a leaf is defined and continuous.
@@ -258,7 +135,7 @@ class ErrorReporter {
   bool may_be_near(std::size_t k, bool has_clip_box) const {
     const Leaf& leaf = mesh_.leaves[k];
     const bool is_beside_box = leaf.state.leads_to_pole() || mesher_.crosses_box(leaf);
-    return is_covered(leaf) || is_of_surface(k) || has_edge(leaf) ||
+    return is_covered(leaf) || is_of_surface(k) || has_edge(leaf) || is_wave(leaf) ||
            (has_clip_box && is_beside_box);
   }
 
@@ -326,6 +203,15 @@ class ErrorReporter {
     for (const dvec3& p : corner_positions(mesh_.leaves[k], tree_)) part.around.add(p);
     part.scale = scale_of(k);
     return part;
+  }
+
+  /// Appends places of a leaf at which its error, or a larger one, may be.
+  void append_places(const Domain& domain, std::size_t k, bool is_missing,
+                     std::vector<dvec2>& places) const {
+    // Leaves of waves may be tens of thousands: one place of each.
+    if (is_wave(mesh_.leaves[k])) return places.push_back(error_of(k).uv);
+    append_samples(k, places);
+    if (is_missing) append_around(domain, places);
   }
 
   /// The place of the leaf's error, or the places of which it is one.

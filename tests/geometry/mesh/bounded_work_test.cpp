@@ -9,6 +9,7 @@
 #include "mesh/mesher/mesh_plan.h"
 #include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
+#include "mesh/model/triangle_tree.h"
 #include "mesh/sizing/effort.h"
 #include "mesh/tree/cell_tree.h"
 #include "mesh_checks.h"
@@ -28,7 +29,8 @@ TEST(BoundedWork, EndsWhereWavesAreNarrowerThanPixelsWhateverTheirShape) {
     const MeshResult result = try_mesh(height_field(z), thousandth()).value();
     EXPECT_FALSE(result.report.reached_limit) << z;
     EXPECT_LT(result.report.evaluations, 1'000'000U) << z;
-    EXPECT_GT(result.report.max_error, *result.report.tolerance) << z;
+    // Neighbours' triangles are as near to the surface as all is there.
+    EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
     ASSERT_TRUE(result.report.oscillates) << z;
     // No farther from where the waves are than some widths of the last ones that show.
     EXPECT_LT(
@@ -36,6 +38,22 @@ TEST(BoundedWork, EndsWhereWavesAreNarrowerThanPixelsWhateverTheirShape) {
         0.05)
         << z;
   }
+}
+
+TEST(BoundedWork, TellsHowFarWavesAreFromAllTriangles) {
+  // From those of their own cells they are as far as they are high, 577 tolerances.
+  const Surface surface = height_field("sin(1/u)");
+  const MeshResult result = try_mesh(surface, thousandth()).value();
+  ASSERT_TRUE(result.report.oscillates);
+  const TriangleTree tree(result.mesh);
+  double farthest = 0;
+  for (int k = 1; k <= 20'000; ++k) {
+    const double u = k * 1e-6;
+    farthest = std::max(farthest, tree.distance({u, 0.31, std::sin(1 / u)}));
+  }
+  EXPECT_GT(farthest, *result.report.tolerance);
+  EXPECT_GE(result.report.max_error, 0.9 * farthest);
+  EXPECT_LE(result.report.max_error, 3 * farthest);
 }
 
 TEST(BoundedWork, EndsWhereWavesCrowdAlongASlantingLine) {

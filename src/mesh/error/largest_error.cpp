@@ -1,0 +1,128 @@
+#include "mesh/error/largest_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <glm/common.hpp>
+
+#include "mesh/error/open_leaves.h"
+#include "mesh/model/sample_places.h"
+#include "mesh/model/tolerances.h"
+#include "surface/parameter_box.h"
+
+namespace saddle {
+
+namespace {
+
+/// The search climbs from the worst kMostFollowed leaves. Bounds are followed in up to kMostOpen
+/// leaves of each kind, then over up to 8,192 boxes, or the share that the surface may have.
+constexpr std::size_t kMostBoxes = 8192;
+
+/// The search, from the largest known error down.
+class ErrorSearch {
+ public:
+  ErrorSearch(const ParameterBox& domain, double tolerance, const WholeMeshError& whole,
+              const PlacedError& known)
+      : domain_(domain), tolerance_(tolerance), whole_(whole), worst_(known) {}
+
+  const PlacedError& worst() const { return worst_; }
+
+  /// Measures leaves at their places.
+  void measure(std::span<const SearchedLeaf> leaves) {
+    std::vector<WholeMeshError::Place> places;
+    for (const SearchedLeaf& leaf : leaves) {
+      for (const dvec2& uv : leaf.places)
+        places.push_back({uv, leaf.part.triangles, worst_.distance / leaf.part.scale});
+    }
+    const std::vector<double> found = whole_.distances(places);
+    std::size_t k = 0;
+    for (const SearchedLeaf& leaf : leaves) {
+      // A part without triangles may go on in leaves without vertices.
+      const ParameterBox& box = leaf.part.triangles.empty() ? domain_ : leaf.part.box;
+      WholeMeshError::Climb start{{0, leaf.part.box.middle()}, box, leaf.part.triangles};
+      for (const dvec2& uv : leaf.places) {
+        if (found[k] > start.best.distance) start.best = {found[k], uv};
+        ++k;
+      }
+      take(start.best, leaf.part.scale);
+      starts_.push_back({start, leaf.part.scale});
+    }
+  }
+
+  /// From so many leaves at most.
+  void climb(std::size_t most) {
+    std::ranges::stable_sort(starts_, std::ranges::greater(), &Start::error);
+    std::vector<WholeMeshError::Climb> climbs;
+    for (const Start& start : std::span(starts_).first(std::min(most, starts_.size())))
+      climbs.push_back(start.climb);
+    whole_.climb(climbs);
+    for (std::size_t k = 0; k < climbs.size(); ++k) take(climbs[k].best, starts_[k].scale);
+    starts_.clear();
+  }
+
+  /// Adds triangles that climb_on_mesh() measures.
+  void measure_triangles(const SearchedPart& part) {
+    if (part.scale != 1) return;
+    for (const Triangle& t : part.triangles) on_mesh_.push_back(&t);
+  }
+  void climb_on_mesh() { take(whole_.from_mesh(on_mesh_, worst_.distance, tolerance_), 1); }
+
+ private:
+  struct Start {
+    WholeMeshError::Climb climb;
+    double scale;
+    double error() const { return scale * climb.best.distance; }
+  };
+
+  void take(const PlacedError& found, double scale) {
+    if (scale * found.distance > worst_.distance) worst_ = {scale * found.distance, found.uv};
+  }
+
+  ParameterBox domain_;
+  double tolerance_;
+  const WholeMeshError& whole_;
+  PlacedError worst_;
+  std::vector<Start> starts_;
+  std::vector<const Triangle*> on_mesh_;
+};
+
+}  // namespace
+
+PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspects,
+                          std::span<const SearchedPart> others, KnownHulls& hulls,
+                          const WholeMeshSearch& how) {
+  const auto distance = [&how](const SearchedPart& part, const dvec2& uv, const dvec3& position,
+                               double known) {
+    return how.whole().distance({uv, part.triangles, known}, position);
+  };
+  FeatureSearch features(surface, hulls, distance, how.tolerance, how.clip, how.threads);
+  // Features that do not stick out are looked for in a mesh that is off anyway.
+  const auto shared = [&how](std::size_t most) {
+    return static_cast<std::size_t>(std::ceil(how.share * static_cast<double>(most)));
+  };
+  std::vector<SearchedPart> parts =
+      features.widest(shared(kMostOpen), suspects.empty() ? 0 : shared(kMostFollowed),
+                      others.size(), [others](std::size_t k) { return others[k]; });
+  if (suspects.empty() && parts.empty()) return {};
+  std::ranges::stable_sort(suspects, std::ranges::greater(), &SearchedLeaf::error);
+  for (const SearchedLeaf& leaf : suspects.first(std::min(shared(kMostOpen), suspects.size())))
+    parts.push_back(leaf.part);
+  // Without time or points the worst suspects are measured, and the others left.
+  if (surface.may_go_on()) features.dive(parts);
+  const PlacedError followed = features.search(surface.may_go_on() ? shared(kMostBoxes) : 0);
+  ErrorSearch search(box_of(surface.domain), how.tolerance, how.whole(), followed);
+  const std::size_t at_once = surface.may_go_on() ? kInBatch : kMostFollowed;
+  for (std::size_t next = 0;
+       next < suspects.size() && suspects[next].error > search.worst().distance; next += at_once) {
+    search.measure(suspects.subspan(next, std::min(at_once, suspects.size() - next)));
+    if (!surface.may_go_on()) return search.worst();
+  }
+  search.climb(shared(kMostFollowed));
+  for (const SearchedLeaf& leaf : suspects) search.measure_triangles(leaf.part);
+  for (const SearchedPart& part : others) search.measure_triangles(part);
+  search.climb_on_mesh();
+  return search.worst();
+}
+
+}  // namespace saddle
