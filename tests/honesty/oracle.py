@@ -21,10 +21,10 @@ class Found:
     """The largest distance, where it is, and the next best places. Of a place of the mesh, the
     parameters of its triangle's corners, too."""
 
-    def __init__(self, way, distance=0.0, st=None, point=None, corners=None, candidates=()):
+    def __init__(self, way, distance=0.0, st=None, point=None, corners=None):
         self.way, self.distance, self.st, self.point = way, distance, st, point
         self.corners = corners
-        self.candidates = [self, *candidates] if st is not None else []
+        self.candidates = [self] if st is not None else []
 
 
 def is_solid(surface, st, small, rng, precise=False):

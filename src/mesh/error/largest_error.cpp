@@ -6,7 +6,6 @@
 
 #include <glm/common.hpp>
 
-#include "mesh/error/open_leaves.h"
 #include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
 #include "surface/parameter_box.h"

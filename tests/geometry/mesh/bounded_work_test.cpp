@@ -29,7 +29,7 @@ TEST(BoundedWork, EndsWhereWavesAreNarrowerThanPixelsWhateverTheirShape) {
     const MeshResult result = try_mesh(height_field(z), thousandth()).value();
     EXPECT_FALSE(result.report.reached_limit) << z;
     EXPECT_LT(result.report.evaluations, 1'000'000U) << z;
-    // Neighbours' triangles are as near to the surface as all is there.
+    // The waves fill less than a tolerance: triangles beside a cell are near its waves.
     EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
     ASSERT_TRUE(result.report.oscillates) << z;
     // No farther from where the waves are than some widths of the last ones that show.
