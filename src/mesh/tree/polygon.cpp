@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -82,16 +83,28 @@ bool faces_away(const Grid& grid, const PolygonCorner& a, const PolygonCorner& t
   return grid.mirrored ? front > 0 : front < 0;
 }
 
+/// How far the surface's arc between two corners strays from its chord, by the corners' normals. A
+/// chord from the foot of a steep wall to its top has an S above it, whose normals may be parallel:
+/// its sagitta is 0. A cubic arc that leaves its chord and returns to it at the slope s is
+/// sqrt(3) / 18 s high, in lengths of the chord.
+double height_of_arc(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
+  const dvec3& from = mesh.position[a];
+  const dvec3& to = mesh.position[b];
+  const dvec3 mean = 0.5 * (mesh.normal[a] + mesh.normal[b]);
+  const double height_of_s = std::numbers::sqrt3 / 18 * std::fabs(glm::dot(mean, to - from));
+  return sagitta(from, mesh.normal[a], to, mesh.normal[b]) + height_of_s;
+}
+
 /// A triangle that may be cut off a polygon, and the quality of its chord.
 struct Ear {
   std::size_t tip;
-  double sagitta;  ///< of the arc above the chord
-  double length;   ///< of the chord, squared
+  double height;  ///< of the arc above the chord
+  double length;  ///< of the chord, squared
   int flaws = 0;
 
   bool is_nearer(const Ear& other) const {
-    if (is_smaller(sagitta, other.sagitta)) return true;
-    return !is_smaller(other.sagitta, sagitta) && is_smaller(length, other.length);
+    if (is_smaller(height, other.height)) return true;
+    return !is_smaller(other.height, height) && is_smaller(length, other.length);
   }
 };
 
@@ -154,8 +167,7 @@ std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon, b
     if (concave && holds_corner(polygon, k)) continue;
     const dvec3& a = mesh.position[before.corner];
     const dvec3& b = mesh.position[after.corner];
-    Ear ear{k, sagitta(a, mesh.normal[before.corner], b, mesh.normal[after.corner]),
-            glm::dot(b - a, b - a)};
+    Ear ear{k, height_of_arc(mesh, before.corner, after.corner), glm::dot(b - a, b - a)};
     const bool is_nearer = !best || ear.is_nearer(*best);
     if (!is_nearer && best->flaws == 0) continue;
     ear.flaws = flaws_of(grid, polygon, k, is_at_pole, taken);
