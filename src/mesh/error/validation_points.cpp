@@ -149,11 +149,13 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
   const auto append_chord = [&](const Triangle& t, std::size_t k) {
     const std::uint32_t a = t[k];
     const std::uint32_t b = t[(k + 1) % 3];
-    const bool inside = is_inside((0.5 * (at[a] + at[b]) - low) / size);
+    const dvec2 middle = (0.5 * (at[a] + at[b]) - low) / size;
+    const bool inside = is_inside(middle);
     if (!inside && !is_creased) return;
     const bool is_diagonal = has_side(triangles, b, a);
     if (is_parted && !is_diagonal) return;
-    const bool on_crease = inside && is_creased && !is_diagonal;
+    // A crease along the leaf's side is beside it by rounding.
+    const bool on_crease = is_creased && !is_diagonal && is_chord(middle, {a, b}, tree_);
     if (inside && is_other_side(grid_, triangles, a, b, on_crease)) return;
     ValidationPoint sample{number, {}, &t, is_cut};
     if (on_crease) sample.crease = Chord{a, b};
