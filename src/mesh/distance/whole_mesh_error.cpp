@@ -55,6 +55,20 @@ const TriangleTree& WholeMeshError::tree() const {
   return *tree_;
 }
 
+const TriangleTree& WholeMeshError::vertices() const {
+  std::call_once(has_vertices_, [this] {
+    std::vector<bool> is_used(grid_.mesh.position.size());
+    for (const Triangle& t : all_) {
+      for (const std::uint32_t corner : t) is_used[corner] = true;
+    }
+    for (std::uint32_t k = 0; k < is_used.size(); ++k) {
+      if (is_used[k]) at_vertices_.push_back({k, k, k});
+    }
+    vertices_.emplace(grid_.mesh.position, at_vertices_, surface_.tangents.count);
+  });
+  return *vertices_;
+}
+
 double WholeMeshError::distance(const Place& place, const dvec3& position) const {
   if (place.triangles.empty()) return tree().distance(position);
   const double from_own = distance_from(grid_, place.triangles, place.uv, position);
@@ -162,6 +176,16 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expe
   return result;
 }
 
+/// Other waves may be nearer to a place than all of the surface around its parameters. Where the
+/// mesh is not known, they are not looked for.
+void WholeMeshError::begin_at_vertices(std::span<Nearest> nearest) const {
+  if (all_.empty()) return;
+  for (Nearest& n : nearest) {
+    const auto [distance, which] = vertices().nearest(position_of(n.place), n.error.distance);
+    if (which) n.error = {distance, grid_.mesh.uv[at_vertices_[*which][0]]};
+  }
+}
+
 /// A compass search for places of the surface that are nearer.
 void WholeMeshError::search_around(std::span<Nearest> nearest) const {
   for (int round = 0; round < kHalvingsToNearly; ++round) {
@@ -212,6 +236,7 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search_above(std::span<cons
   std::vector<Nearest> found = search(descend_to_least(places, least), least, tolerance);
   const auto is_near = [&](const Nearest& n) { return !(n.error.distance > least); };
   std::erase_if(found, is_near);
+  begin_at_vertices(found);
   search_around(found);
   std::erase_if(found, is_near);
   return found;

@@ -89,6 +89,8 @@ class WholeMeshError {
   std::vector<Expected> expect_farthest(std::span<const Triangle* const> triangles,
                                         double known) const;
   const TriangleTree& tree() const;
+  /// The vertices of all_, which are places of the surface.
+  const TriangleTree& vertices() const;
   dvec2 within_domain(const dvec2& uv) const;
   dvec2 uv_of(const MeshPlace& place) const;
   dvec3 position_of(const MeshPlace& place) const;
@@ -102,6 +104,7 @@ class WholeMeshError {
   std::vector<Nearest> search(std::span<const Expected> places, double least,
                               double tolerance) const;
   std::vector<Expected> descend_to_least(std::span<const Expected> places, double least) const;
+  void begin_at_vertices(std::span<Nearest> nearest) const;
   void search_around(std::span<Nearest> nearest) const;
   /// The places farther than `least`.
   std::vector<Nearest> search_above(std::span<const Expected> places, double least,
@@ -117,6 +120,9 @@ class WholeMeshError {
   bool has_cliffs_;
   mutable std::once_flag has_tree_;
   mutable std::optional<TriangleTree> tree_;  // made for the first point that its leaf misses
+  mutable std::once_flag has_vertices_;
+  mutable std::vector<Triangle> at_vertices_;     // whose corners are one vertex
+  mutable std::optional<TriangleTree> vertices_;  // made for the first place that is far by lines
 };
 
 }  // namespace saddle

@@ -193,9 +193,10 @@ PairCount TriangleTree::count_pairs(const PairTest& test, std::size_t most_tests
   return total;
 }
 
-double TriangleTree::distance(const dvec3& p, double known) const {
+TriangleTree::Nearest TriangleTree::nearest(const dvec3& p, double known) const {
   double best = known * known;
-  if (nodes_.empty()) return known;
+  if (nodes_.empty()) return {known, std::nullopt};
+  std::optional<std::uint32_t> which;
   struct Visit {
     std::size_t node;
     double from;  // square of the distance of its box
@@ -212,8 +213,10 @@ double TriangleTree::distance(const dvec3& p, double known) const {
     if (node.count > 0) {
       for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
         const Triangle& t = triangles_[order_[k]];
-        best =
-            std::min(best, square_distance(p, position_[t[0]], position_[t[1]], position_[t[2]]));
+        const double square = square_distance(p, position_[t[0]], position_[t[1]], position_[t[2]]);
+        if (!(square < best)) continue;
+        best = square;
+        which = order_[k];
       }
       continue;
     }
@@ -224,7 +227,7 @@ double TriangleTree::distance(const dvec3& p, double known) const {
     stack[depth++] = near;
   }
   if (count_) count_->add_work(visited / kVisitsPerPoint);
-  return std::min(std::sqrt(best), known);
+  return {std::min(std::sqrt(best), known), which};
 }
 
 }  // namespace saddle

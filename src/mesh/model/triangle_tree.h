@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -32,8 +33,16 @@ class TriangleTree {
   TriangleTree(std::span<const dvec3> position, std::span<const Triangle> triangles,
                std::shared_ptr<PointCount> count = nullptr);
 
+  /// The nearest triangle, by its number, and its distance.
+  struct Nearest {
+    double distance;
+    std::optional<std::uint32_t> triangle;  ///< none is nearer than what was known
+  };
+  Nearest nearest(const dvec3& p, double known = std::numeric_limits<double>::infinity()) const;
   /// The distance of the nearest triangle, or `known` if none is nearer.
-  double distance(const dvec3& p, double known = std::numeric_limits<double>::infinity()) const;
+  double distance(const dvec3& p, double known = std::numeric_limits<double>::infinity()) const {
+    return nearest(p, known).distance;
+  }
 
   /// A test of two triangles, by their numbers.
   using PairTest = std::function<bool(std::uint32_t, std::uint32_t)>;

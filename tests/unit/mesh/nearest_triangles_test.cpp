@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "mesh/model/triangle_tree.h"
 
 namespace saddle {
 namespace {
@@ -43,6 +44,23 @@ TEST(NearestTriangles, AreThoseOfALookAtEach) {
         distance = std::min(distance, nearest_point(grid, triangle, place).distance);
       EXPECT_EQ(tree.nearest(place, 0, {}).distance, distance) << count;
     }
+  }
+}
+
+TEST(TriangleTree, NamesTheNearestTriangle) {
+  Grid grid;
+  const Array<Triangle> triangles = random_triangles(1000, grid);
+  const TriangleTree tree(grid.mesh.position, triangles);
+  for (std::uint64_t k = 0; k < 20; ++k) {
+    const dvec3 place = random_point(1'000'000 + k);
+    const auto [distance, which] = tree.nearest(place);
+    ASSERT_TRUE(which);
+    EXPECT_NEAR(nearest_point(grid, triangles[*which], place).distance, distance, 1e-12);
+    for (const Triangle& triangle : triangles)
+      EXPECT_GE(nearest_point(grid, triangle, place).distance, distance - 1e-12);
+    const auto [known, none] = tree.nearest(place, 0.5 * distance);
+    EXPECT_FALSE(none);
+    EXPECT_EQ(known, 0.5 * distance);
   }
 }
 
