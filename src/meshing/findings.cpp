@@ -154,10 +154,9 @@ class MeshFindings {
   }
 
   /// The option whose limit stopped refinement.
-  std::string limit_option() const {
+  const char* limit_option() const {
     if (report_.shortage == Shortage::Time) return "--max-time";
-    if (report_.shortage == Shortage::Memory) return "--max-memory";
-    return "--max-triangles";
+    return report_.shortage == Shortage::Memory ? "--max-memory" : "--max-triangles";
   }
 
   /// The number of triangles that the tolerance needs, if the mesh has fewer.
@@ -172,11 +171,14 @@ class MeshFindings {
   /// Why the mesh is off, and what helps; empty if it is within its tolerance.
   std::string error_text() const {
     const bool exceeds_tolerance = report_.tolerance && report_.max_error > *report_.tolerance;
-    const std::string off =
-        off_by(report_) +
-        (report_.worst_place ? ", as at " + place(*report_.worst_place, domain_) : std::string());
-    const auto stopped = [&off](const std::string& limit, const std::string& more) {
-      return "the limit of " + limit + " stopped refinement, the mesh is" + off + "; " + more;
+    std::string off = off_by(report_);
+    if (report_.worst_place) off += ", as at " + place(*report_.worst_place, domain_);
+    std::string state = ", the mesh is" + off;
+    // Refinement may be stopped while all errors that are known are within the tolerance.
+    if (report_.tolerance && !exceeds_tolerance)
+      state = ": errors above the tolerance, " + number(*report_.tolerance) + ", may hide";
+    const auto stopped = [&state](const std::string& limit, const std::string& more) {
+      return "the limit of " + limit + " stopped refinement" + state + "; " + more;
     };
     if (report_.shortage == Shortage::Time) return stopped("time", "--max-time allows more");
     if (report_.shortage == Shortage::Memory) return stopped("memory", "--max-memory allows more");

@@ -17,7 +17,7 @@ struct Finding {
   enum class Kind : std::uint8_t {
     Undefined,       ///< part of the domain has no surface
     Flat,            ///< triangles without area are left out
-    OffTolerance,    ///< the mesh is farther from the surface than its tolerance
+    OffTolerance,    ///< the mesh is off, or a limit stopped it before its tolerance
     NormalsTurn,     ///< normals turn faster than triangles show
     Pole,            ///< the surface goes to infinity
     Jump,            ///< the surface jumps

@@ -63,6 +63,12 @@ void BoundaryDistance::add_omitted(const Leaf& leaf, std::size_t number) {
   }
 }
 
+/// The place at a share of the way along a chord. The leaf's corners would round it: between ends
+/// at u=1e-34 it would be at u=0.
+dvec2 BoundaryDistance::on_chord(const Chord& ends, double share) const {
+  return glm::mix(grid_.mesh.uv[ends[0]], grid_.mesh.uv[ends[1]], share);
+}
+
 /// Where chords of a boundary in a leaf are looked across.
 std::span<const double> BoundaryDistance::places_on_edge(const Leaf& leaf) const {
   const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
@@ -101,7 +107,7 @@ void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
       if (along == dvec2(0)) continue;
       for (const double share : places) {
         const dvec2 start = glm::mix(place(stretch[k - 1]), place(stretch[k]), share);
-        const dvec2 at = low + size * start;
+        const dvec2 at = on_chord({stretch[k - 1], stretch[k]}, share);
         // Counter-clockwise, the leaf is to the left.
         const dvec2 beyond = low + size * border_of_square(start, {-along.y, along.x});
         const Chord ends = {stretch[k - 1], stretch[k]};
@@ -185,7 +191,7 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
                           triangles,
                           t,
                           {a, b},
-                          low + size * at,
+                          on_chord({a, b}, share),
                           grid_.mesh.uv[from],
                           low + size * border_of_square(at, -way),
                           low + size * border,

@@ -97,6 +97,20 @@ TEST(Warnings, NameTheTrianglesThatAToleranceNeeds) {
   EXPECT_TRUE(mesh_warnings("s", coarse, kDomain).back().ends_with("--max-triangles allows more"));
 }
 
+TEST(Warnings, DoNotSayThatAMeshIsOffThatALimitLeftWithinItsTolerance) {
+  MeshResult stopped = mesh_between({-1, 0}, {1, 2});
+  stopped.report.tolerance = 1e-3;
+  stopped.report.max_error = 1e-3;
+  stopped.report.budget_spent = true;
+  EXPECT_EQ(mesh_warnings("s", stopped, kDomain),
+            Warnings{"s: the limit of work stopped refinement: errors above the tolerance, "
+                     "0.001, may hide; smaller ranges show more, "
+                     "--max-triangles allows more work"});
+  stopped.report.max_error = 1.1e-3;
+  EXPECT_NE(mesh_warnings("s", stopped, kDomain).back().find("the mesh is off by at least 0.0011"),
+            std::string::npos);
+}
+
 TEST(Warnings, NameTheFacesOfTheBoxThatCut) {
   MeshResult cut = mesh_between({-1, 0}, {1, 2});
   cut.report.clip = Bounds{{-kInfinity, -2, 3}, {4, 5, kInfinity}};
