@@ -100,9 +100,11 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   const auto shared = [&how](std::size_t most) {
     return static_cast<std::size_t>(std::ceil(how.share * static_cast<double>(most)));
   };
+  const bool is_off = std::ranges::any_of(
+      suspects, [&](const SearchedLeaf& leaf) { return leaf.error > how.tolerance; });
   std::vector<SearchedPart> parts =
-      features.widest(shared(kMostOpen), suspects.empty() ? 0 : shared(kMostFollowed),
-                      others.size(), [others](std::size_t k) { return others[k]; });
+      features.widest(shared(kMostOpen), is_off ? shared(kMostFollowed) : 0, others.size(),
+                      [others](std::size_t k) { return others[k]; });
   if (suspects.empty() && parts.empty()) return {};
   std::ranges::stable_sort(suspects, std::ranges::greater(), &SearchedLeaf::error);
   for (const SearchedLeaf& leaf : suspects.first(std::min(shared(kMostOpen), suspects.size())))
@@ -112,9 +114,13 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   const PlacedError followed = features.search(surface.may_go_on() ? shared(kMostBoxes) : 0);
   ErrorSearch search(box_of(surface.domain), how.tolerance, how.whole(), followed);
   const std::size_t at_once = surface.may_go_on() ? kInBatch : kMostFollowed;
-  for (std::size_t next = 0;
-       next < suspects.size() && suspects[next].error > search.worst().distance; next += at_once) {
-    search.measure(suspects.subspan(next, std::min(at_once, suspects.size() - next)));
+  const auto may_be_worst = [&search](const SearchedLeaf& leaf) {
+    return leaf.has_moved || leaf.error > search.worst().distance;
+  };
+  for (std::size_t next = 0; next < suspects.size(); next += at_once) {
+    const auto some = suspects.subspan(next, std::min(at_once, suspects.size() - next));
+    if (std::ranges::none_of(some, may_be_worst)) continue;
+    search.measure(some);
     if (!surface.may_go_on()) return search.worst();
   }
   search.climb(shared(kMostFollowed));

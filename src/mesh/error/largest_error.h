@@ -17,7 +17,8 @@ namespace saddle {
 
 /// A leaf that is searched for the largest error.
 struct SearchedLeaf {
-  double error = 0;  ///< by validation, scaled
+  double error = 0;        ///< by validation, scaled
+  bool has_moved = false;  ///< a corner has, since validation
   SearchedPart part;
   std::vector<dvec2> places;  ///< where its error was sampled
 };
@@ -31,9 +32,9 @@ struct WholeMeshSearch {
   std::function<const WholeMeshError&()> whole;  ///< called only if there is anything to measure
 };
 
-/// The largest error, scaled. `suspects`: leaves that validation found to be off; each error is
-/// replaced only after its places were measured. `others`: leaves whose samples may miss a feature
-/// that sticks out.
+/// The largest error, scaled. `suspects`: leaves that validation found to be off, or whose corners
+/// have moved since; each error is replaced only after its places were measured. `others`: leaves
+/// whose samples may miss a feature that sticks out.
 PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspects,
                           std::span<const SearchedPart> others, KnownHulls& hulls,
                           const WholeMeshSearch& how);

@@ -330,6 +330,7 @@ std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& requ
   finisher.list_jumps(report);
   finisher.list_cusps(report);
   LeafTriangles& triangles = mesher.triangulate(report);
+  mesher.reach_extremes();
   report_errors(surface, request, mesher, triangles, report);
   if (triangles.all.empty()) return std::nullopt;
   finisher.take_lost_parts(triangles, request.clip, report);
@@ -343,7 +344,6 @@ std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& requ
   name_singular(plan.singular, surface.domain, report);
   mesher.complete(triangles, report);
   Grid& grid = mesher.grid();
-  mesher.reach_extremes();
   finisher.cut_infinite(triangles.all, report);
   grid.mesh.triangles = std::move(triangles.all);
   grid.mesh.lines =

@@ -145,10 +145,7 @@ LeafTriangles& AdaptiveMesher::triangulate(MeshReport& report) {
 }
 
 void AdaptiveMesher::reach_extremes() {
-  if (!oscillates_) return;
-  const Oscillation unresolvable = oscillation();
-  const auto oscillates = [&](const Leaf& leaf) { return unresolvable.contains(leaf, tree_); };
-  saddle::reach_extremes(surface_, mesh_.leaves, oscillates, request_.threads, tree_, grid_);
+  if (oscillates_) saddle::reach_extremes(surface_, mesh_.leaves, request_.threads, tree_, grid_);
 }
 
 /// Whole leaves without some of their triangles have no proof, unless measured distances gave one

@@ -14,7 +14,7 @@ namespace saddle {
 
 namespace {
 
-/// Evaluations for all vertices: 1/10 of the least budget of a mesh.
+/// Evaluations for all: 1/10 of the least budget of a mesh.
 constexpr std::size_t kAllTries = kLeastEffort / 10;
 /// Evaluations for a vertex: 4 to 16. The highest of 16 is nearly always in the last 1/20 of a
 /// sine's range.
@@ -50,16 +50,15 @@ dvec2 free_ways(const Grid& grid, const dvec2& uv) {
 }
 
 /// The regular vertices that are in oscillating leaves only and are points of their own.
-std::vector<Movable> movable_vertices(std::span<const Leaf> leaves,
-                                      const std::function<bool(const Leaf&)>& oscillates,
-                                      const CellTree& tree, const Grid& grid) {
+std::vector<Movable> movable_vertices(std::span<const Leaf> leaves, const CellTree& tree,
+                                      const Grid& grid) {
   const Mesh& mesh = grid.mesh;
   std::vector<Reach> reaches(mesh.position.size());
   std::vector<std::uint32_t> copies(mesh.position.size());
   for (const std::uint32_t point : mesh.point) ++copies[point];
   for (const Leaf& leaf : leaves) {
     const dvec2 size = tree.vertices().size(leaf.low, leaf.high());
-    const bool is_free = leaf.state.is_whole() && !leaf.state.is_left_out() && oscillates(leaf);
+    const bool is_free = may_reach_extremes(leaf);
     for_sides(leaf, tree, [&](std::uint32_t vertex, std::uint32_t) {
       Reach& reach = reaches[vertex];
       reach.size = is_free ? glm::min(reach.size, size) : dvec2(0);
@@ -91,13 +90,20 @@ int main_axis(std::span<const SurfacePoint> points) {
 
 }  // namespace
 
-void reach_extremes(const Surface& surface, std::span<const Leaf> leaves,
-                    const std::function<bool(const Leaf&)>& oscillates, unsigned threads,
+std::size_t tries_in_waves(std::size_t count, std::size_t least) {
+  return std::clamp(kAllTries / count, least, kMostTries);
+}
+
+bool may_reach_extremes(const Leaf& leaf) {
+  return leaf.state.is_whole() && !leaf.state.is_left_out() && leaf.state.oscillates();
+}
+
+void reach_extremes(const Surface& surface, std::span<const Leaf> leaves, unsigned threads,
                     const CellTree& tree, Grid& grid) {
   Mesh& mesh = grid.mesh;
-  const std::vector<Movable> movable = movable_vertices(leaves, oscillates, tree, grid);
+  const std::vector<Movable> movable = movable_vertices(leaves, tree, grid);
   if (movable.empty()) return;
-  const std::size_t tries = std::clamp(kAllTries / movable.size(), kLeastTries, kMostTries);
+  const std::size_t tries = tries_in_waves(movable.size(), kLeastTries);
   std::vector<dvec2> places;
   for (std::size_t first = 0; first < movable.size(); first += kInBatch) {
     const auto block =

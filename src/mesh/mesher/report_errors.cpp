@@ -6,12 +6,14 @@
 #include <optional>
 #include <vector>
 
+#include "base/random.h"
 #include "mesh/distance/boundary_distance.h"
 #include "mesh/distance/whole_mesh_error.h"
 #include "mesh/error/largest_error.h"
 #include "mesh/error/open_leaves.h"
 #include "mesh/error/validation_points.h"
 #include "mesh/mesher/adaptive_mesher.h"
+#include "mesh/mesher/envelope.h"
 #include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/proof/feature_search.h"
@@ -35,11 +37,9 @@ class ErrorReporter {
         mesh_(mesher.mesh()),
         tree_(mesher.tree()),
         grid_(mesher.grid()),
-        has_waves_(
-            static_cast<std::ptrdiff_t>(kFewOfAll) *
-                std::ranges::count_if(mesher.mesh().leaves,
-                                      [](const Leaf& leaf) { return leaf.state.oscillates(); }) >
-            std::ssize(mesher.mesh().leaves)),
+        waves_(static_cast<std::size_t>(std::ranges::count_if(
+            mesher.mesh().leaves, [](const Leaf& leaf) { return leaf.state.oscillates(); }))),
+        has_waves_(kFewOfAll * waves_ > mesher.mesh().leaves.size()),
         tolerance_(mesher.coarser() * *report.tolerance),
         strictest_(report.rounding ? std::numeric_limits<double>::infinity() : tolerance_) {}
 
@@ -58,9 +58,11 @@ class ErrorReporter {
       const bool is_missing = triangles.of(k).empty();
       if (is_missing && !is_missing_part(k)) continue;
       const PlacedError error = error_of(k);
-      if (error.distance > tolerance_ && (is_missing || may_be_near(k, request.clip.has_value()))) {
+      const bool is_far = error.distance > tolerance_;
+      const bool is_suspect = is_far || may_reach_extremes(leaf);
+      if (is_suspect && (is_missing || may_be_near(k, request.clip.has_value()))) {
         suspects.push_back(k);
-        is_off = is_off || !is_clipped;
+        is_off = is_off || (is_far && !is_clipped);
       } else if (is_missing || is_clipped) {
         continue;
       } else if (error.distance > worst.distance) {
@@ -73,7 +75,8 @@ class ErrorReporter {
     }
     std::vector<SearchedLeaf> suspected;
     for (const std::size_t k : suspects) {
-      suspected.push_back({error_of(k).distance, searched(k, triangles), {}});
+      const bool has_moved = may_reach_extremes(mesh_.leaves[k]);
+      suspected.push_back({error_of(k).distance, has_moved, searched(k, triangles), {}});
       suspected.back().part.sticks_out = false;
       append_places(surface.domain, k, triangles.of(k).empty(), suspected.back().places);
     }
@@ -208,10 +211,26 @@ class ErrorReporter {
   /// Appends places of a leaf at which its error, or a larger one, may be.
   void append_places(const Domain& domain, std::size_t k, bool is_missing,
                      std::vector<dvec2>& places) const {
-    // Leaves of waves may be tens of thousands: one place of each.
-    if (is_wave(mesh_.leaves[k])) return places.push_back(error_of(k).uv);
+    if (is_wave(mesh_.leaves[k])) return append_in_waves(k, places);
     append_samples(k, places);
     if (is_missing) append_around(domain, places);
+  }
+
+  /// Appends random places of a leaf in waves, every other one on a side of it: errors are largest
+  /// at the edge of the domain, where no triangles lie beyond.
+  void append_in_waves(std::size_t k, std::vector<dvec2>& places) const {
+    places.push_back(error_of(k).uv);
+    const dvec2 low = tree_.vertices().parameters(mesh_.leaves[k].low);
+    const dvec2 high = tree_.vertices().parameters(mesh_.leaves[k].high());
+    // All together at most half as many as vertices have tried, or one.
+    const std::size_t tries = tries_in_waves(2 * waves_, 1);
+    for (std::size_t i = 0; i < tries; ++i) {
+      const std::uint64_t key = k * tries + i;
+      dvec2 part(random_unit(2 * key), random_unit(2 * key + 1));
+      const int axis = key / 2 % 2 == 0 ? 0 : 1;
+      if (key % 2 == 0) part[axis] = std::round(part[axis]);
+      places.push_back(glm::mix(low, high, part));
+    }
   }
 
   /// The place of the leaf's error, or the places of which it is one.
@@ -271,9 +290,10 @@ class ErrorReporter {
   const ValidatedMesh& mesh_;
   const CellTree& tree_;
   const Grid& grid_;
-  bool has_waves_;    ///< an area oscillates: no triangles there are near the surface
-  double tolerance_;  ///< that the mesh was made for
-  double strictest_;  ///< tolerance_; infinite if rounding alone makes it vary
+  std::size_t waves_;  ///< leaves that oscillate
+  bool has_waves_;     ///< an area oscillates: no triangles there are near the surface
+  double tolerance_;   ///< that the mesh was made for
+  double strictest_;   ///< tolerance_; infinite if rounding alone makes it vary
 };
 
 }  // namespace
