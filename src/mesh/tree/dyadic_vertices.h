@@ -78,8 +78,11 @@ class DyadicVertices {
   /// Moves a vertex between neighbours to the place of another.
   void share_place(std::uint32_t from, std::uint32_t to);
 
-  /// Whether a vertex lies on a feature, between neighbours or inside of a leaf.
-  bool is_on_feature(std::uint32_t vertex) const { return place(vertex).v == kNoIndex; }
+  /// Whether a corner of the mesh is a vertex on a feature, between neighbours or inside of a leaf.
+  /// Corners that leaves have at singular vertices are none.
+  bool is_on_feature(std::uint32_t corner) const {
+    return corner < size() && place(corner).v == kNoIndex;
+  }
   /// The place of a vertex that is not between neighbours.
   DyadicPoint place(std::uint32_t vertex) const;
   /// The place of any vertex, in units that need not be whole.
