@@ -11,6 +11,7 @@
 #include <optional>
 #include <semaphore>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -79,6 +80,8 @@ TEST(Model, RestsWhereANumberIsWrong) {
   model->edit(std::move(scene), "");
   ASSERT_TRUE(model->error());
   model->resize({300, 300});
+  // The thread that made the plane's mesh may not have come to rest.
+  while (model->is_meshing()) std::this_thread::yield();
   ASSERT_TRUE(model->next_pass());
   model->pass(*model->next_pass());
   EXPECT_FALSE(model->next_pass()) << "there is no mesh to wait for";
