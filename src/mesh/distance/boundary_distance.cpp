@@ -24,14 +24,21 @@ constexpr std::array kLeafPlaces = {dvec2(0.5, 0.5), dvec2(0.3, 0.2), dvec2(0.8,
 /// parameters: all but 1/16 of it is before the place that is nearest to its end.
 constexpr std::array kMiddleAndNearEnds = {0.5, 1.0 / 256, 255.0 / 256};
 
+/// Where chords of a boundary are looked across.
+std::span<const double> places_on_edge(bool is_at_face) {
+  return is_at_face ? std::span<const double>(kMiddleAndNearEnds) : std::span(kMiddleOfLine);
+}
+
 }  // namespace
 
 void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
                            std::span<const Triangle> triangles, double allowed) {
   if (reach_outside(clip_, grid_.mesh, triangles)) {
     // Chords may be beyond the box. They count on the way to a pole, where the edge may be in it.
-    if (has_cut(FeatureKind::Face, leaf, tree_) && leaf.state.cut() == LeafCut::Boundary)
-      add_chords(leaf, number, triangles, FeatureKind::Boundary);
+    if (!has_cut(FeatureKind::Face, leaf, tree_) || leaf.state.cut() != LeafCut::Boundary) return;
+    const std::size_t first = chords_.size();
+    add_chords(leaf, number, triangles, FeatureKind::Boundary);
+    for (EdgeChord& chord : std::span(chords_).subspan(first)) chord.is_outward = true;
     return;
   }
   const bool is_cut = leaf.state.is_cut_by_feature();
@@ -69,12 +76,6 @@ dvec2 BoundaryDistance::on_chord(const Chord& ends, double share) const {
   return glm::mix(grid_.mesh.uv[ends[0]], grid_.mesh.uv[ends[1]], share);
 }
 
-/// Where chords of a boundary in a leaf are looked across.
-std::span<const double> BoundaryDistance::places_on_edge(const Leaf& leaf) const {
-  const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
-  return is_at_face ? std::span<const double>(kMiddleAndNearEnds) : std::span(kMiddleOfLine);
-}
-
 /// Adds the stretches of the sides of a leaf without triangles between two boundaries, edge by
 /// edge: the surface reaches into the leaf there, if it is defined in an edge's middle.
 void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
@@ -85,7 +86,7 @@ void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
     const std::optional<EdgeFeature> feature = tree_.edges().feature(side[0], side[1]);
     return feature && feature->is_boundary() ? feature : std::nullopt;
   };
-  const std::span<const double> places = places_on_edge(leaf);
+  const std::span<const double> places = places_on_edge(has_cut(FeatureKind::Face, leaf, tree_));
   std::vector<Side> sides;  // from where the surface enters the leaf on
   for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) { sides.push_back({a, b}); });
   const auto enters = std::ranges::find_if(sides, [&](const Side& side) {
@@ -106,11 +107,11 @@ void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
       const dvec2 along = place(stretch[k]) - place(stretch[k - 1]);
       if (along == dvec2(0)) continue;
       for (const double share : places) {
-        const dvec2 start = glm::mix(place(stretch[k - 1]), place(stretch[k]), share);
-        const dvec2 at = on_chord({stretch[k - 1], stretch[k]}, share);
+        const Chord ends = {stretch[k - 1], stretch[k]};
+        const dvec2 start = glm::mix(place(ends[0]), place(ends[1]), share);
+        const dvec2 at = on_chord(ends, share);
         // Counter-clockwise, the leaf is to the left.
         const dvec2 beyond = low + size * border_of_square(start, {-along.y, along.x});
-        const Chord ends = {stretch[k - 1], stretch[k]};
         chords_.push_back({number,
                            {},
                            {},
@@ -156,10 +157,9 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
   const bool is_cliff = kind == FeatureKind::Cliff;
   // Ways through the places on a jump are not straight across: the largest distance is predicted.
   // A corner of a boundary is solved for; its arc is farthest in the middle.
-  const std::span<const double> places =
-      is_jump ? std::span<const double>(kAlongLine) : places_on_edge(leaf);
   const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
-  const bool crosses = reach_outside(clip_, grid_.mesh, triangles);
+  const std::span<const double> places =
+      is_jump ? std::span<const double>(kAlongLine) : places_on_edge(is_at_face);
   std::vector<EdgeChord>& chords = is_jump ? jumps_ : chords_;
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
@@ -197,7 +197,7 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
                           low + size * border,
                           outside_of(leaf, sheet, border, way),
                           is_at_face,
-                          crosses || (!is_jump && share != kMiddleOfLine[0]),
+                          !is_jump && share != kMiddleOfLine[0],
                           is_cliff});
       }
     }

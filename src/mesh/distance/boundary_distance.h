@@ -78,7 +78,6 @@ class BoundaryDistance {
   std::vector<OuterSide> outer_chords(const Leaf& leaf, const Triangle& t,
                                       const CellTriangles& by_sides) const;
   dvec2 on_chord(const std::array<std::uint32_t, 2>& ends, double share) const;
-  std::span<const double> places_on_edge(const Leaf& leaf) const;
   void add_omitted(const Leaf& leaf, std::size_t number);
   void add_bulges(const Leaf& leaf, std::size_t number);
   void add_at_jump(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,

@@ -56,8 +56,7 @@ void BoundaryDistance::add_flat_sheets(const Leaf& leaf, std::size_t number, dou
     const dvec2 along = place(ends[1]) - place(ends[0]);
     std::vector<dvec2> starts;
     starts.reserve(kAlongLine.size());
-    for (const double share : kAlongLine)
-      starts.push_back(low + size * glm::mix(place(ends[0]), place(ends[1]), share));
+    for (const double share : kAlongLine) starts.push_back(on_chord(ends, share));
     const std::vector<SurfacePoint> points = evaluate(surface_, starts, threads_);
     evaluations_ += points.size();
     // On a jump along the side the surface is on another sheet.

@@ -62,9 +62,9 @@ class WholeMeshError {
   };
   void climb(std::span<Climb> climbs) const;
 
-  /// The largest distance of some triangles from the surface nearby, or `known` if none is larger:
-  /// from their middles and those of their sides. At most 192 places are searched, in the order of
-  /// their expected distances.
+  /// The largest distance of some triangles from the surface near them or near vertices, or `known`
+  /// if none is larger: from their middles and those of their sides. At most 192 places are
+  /// searched, in the order of their expected distances.
   PlacedError from_mesh(std::span<const Triangle* const> triangles, double known,
                         double tolerance) const;
 

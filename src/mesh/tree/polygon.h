@@ -51,9 +51,9 @@ std::vector<Polygon> strips_between(std::span<const PolygonCorner> a,
                                     std::span<const PolygonCorner> b);
 
 /// Triangulates a simple polygon, counter-clockwise in (u, v); several corners may lie on one
-/// straight side. Cuts off ears of positive area in (u, v), the ear with the lowest arc
-/// first. Appends to `triangles`, counter-clockwise seen from the front, without triangles that
-/// have no area in space.
+/// straight side. Cuts off ears of positive area in (u, v), the ear with the lowest arc first.
+/// Appends to `triangles`, counter-clockwise seen from the front, without triangles that have no
+/// area in space.
 void triangulate_polygon(const Grid& grid, Polygon polygon, Array<Triangle>& triangles);
 
 }  // namespace saddle
