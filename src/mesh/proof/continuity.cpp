@@ -60,6 +60,17 @@ void prove_together(std::span<LinePart> lines, Few few, IsProved is_proved, Leav
   prove_together(lines.subspan(half), few, is_proved, leave);
 }
 
+/// The number between two that has the fewest binary digits after the point.
+double shortest_between(double low, double high) {
+  if (low <= 0 && high >= 0) return 0;
+  double digit = std::ldexp(1, std::ilogb(high - low));  // of the last place
+  double shortest = low;
+  for (double next = std::ceil(low / digit) * digit; next <= high;
+       digit *= 2, next = std::ceil(low / digit) * digit)
+    shortest = next;
+  return shortest;
+}
+
 class Prover {
  public:
   Prover(const Surface& surface, double delta, int halvings)
@@ -138,9 +149,53 @@ class Prover {
     }
   }
 
+  /// The parts of a line that are searched. Jumps of formulas are at short numbers and along lines
+  /// of the root grid: where a line of constant u or v has one at an end, or at the shortest number
+  /// between, this adds a few doubles around it to `jumps`, and the search goes on beside them.
+  std::vector<Open> parts_beside_short_numbers(const LinePart& line, std::vector<LinePart>& jumps) {
+    const dvec2& a = line.part[0];
+    const dvec2& b = line.part[1];
+    if (line.broken_end || (a.x == b.x) == (a.y == b.y)) return {{line}};
+    const int axis = a.x == b.x ? 1 : 0;
+    const auto part_between = [&](double from, double to) {
+      Line part = {a, a};
+      part[0][axis] = from;
+      part[1][axis] = to;
+      return part;
+    };
+    const auto are_proved = [&](double from, double to) {
+      const auto [first, last] = part_between(from, to);
+      return from == to || is_proved({first, last});
+    };
+    const double from = a[axis];
+    const double to = b[axis];
+    const double beside = std::ldexp(to - from, -kLeastHalvings);
+    const auto place = [&](double at, double offset) {
+      return std::clamp(at + offset, std::min(from, to), std::max(from, to));
+    };
+    std::vector<Open> parts;
+    double begin = from;
+    for (const double at : {from, shortest_between(std::min(from, to), std::max(from, to)), to}) {
+      // Bounds round the formula of a jump's place. Doubles beside 0 go on.
+      const double rounding = std::copysign(kRounding * at, beside);
+      if (!(std::fabs(rounding) < std::fabs(beside))) continue;
+      const double before = place(at, -rounding);
+      const double behind = place(at, rounding);
+      const bool is_passed = (before - begin) * (to - from) < 0;
+      if (is_passed || are_proved(before, behind) || !are_proved(place(at, -beside), before) ||
+          !are_proved(behind, place(at, beside)))
+        continue;
+      if (begin != before) parts.push_back({{line.line, part_between(begin, before)}});
+      jumps.push_back({line.line, part_between(before, behind)});
+      begin = behind;
+    }
+    if (begin != to) parts.push_back({{line.line, part_between(begin, to)}});
+    return parts;
+  }
+
   void add_unproved(const LinePart& line, std::vector<LinePart>& result) {
-    std::vector<Open> level = {{line}};
     std::vector<LinePart> rest;
+    std::vector<Open> level = parts_beside_short_numbers(line, rest);
     for (int cuts = 0; !level.empty(); ++cuts) {
       keep_unproved(level);
       const bool is_in_vain = cuts == kHalvingsToGlance && level.size() == 1 << kHalvingsToGlance &&

@@ -111,6 +111,28 @@ TEST(Continuity, IsNotProvedAtAnyOfSomeBreaksOfALine) {
   }
 }
 
+/// Halvings to doubles beside the jump would take two boxes each.
+TEST(Continuity, ComesToAJumpAtAShortNumberInFewBoxes) {
+  const Surface surface = height_field("exp(u)+rint(u)");
+  for (const auto& [from, to] : {std::array{0.31, 0.57}, {0.57, 0.31}, {0.5, 0.31}, {0.31, 0.5}}) {
+    for (const bool along_u : {true, false}) {
+      const auto place = [along_u = along_u](double at) {
+        return along_u ? dvec2(at, 0.3) : dvec2(0.3, at);
+      };
+      const Surface& of = along_u ? surface : height_field("exp(v)+rint(v)");
+      std::size_t boxes = 0;
+      const auto parts = unproved(of, {{0, {place(from), place(to)}}}, 1e-3, boxes);
+      ASSERT_EQ(parts.size(), 1) << from;
+      const auto [first, last] = parts[0].part;
+      const int axis = along_u ? 0 : 1;
+      EXPECT_LE(std::min(first[axis], last[axis]), 0.5);
+      EXPECT_GE(std::max(first[axis], last[axis]), 0.5);
+      EXPECT_LT(std::fabs(last[axis] - first[axis]), 1e-15);
+      EXPECT_LT(boxes, 20) << from;
+    }
+  }
+}
+
 TEST(Continuity, IsNotProvedOnEitherSideOfAKnownBreak) {
   const Surface surface = height_field("ln(abs(u-0.33))");
   const dvec2 pole(0.33, 0.3);
