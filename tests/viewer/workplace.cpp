@@ -14,7 +14,8 @@
 namespace saddle {
 namespace {
 
-constexpr std::chrono::seconds kPatience{30};
+/// Until a viewer counts as hung. A formula of a megabyte takes half a minute under a sanitizer.
+constexpr std::chrono::minutes kPatience{2};
 
 /// GLFW's.
 constexpr int kModControl = 2;
