@@ -18,12 +18,11 @@ class PointCount {
   void add_work(std::size_t points) { work_.fetch_add(points, std::memory_order_relaxed); }
 
   /// Allows so many more points; without a call there is no limit. Called where no thread computes.
-  void allow(std::size_t points) { most_ = all() + points; }
-  bool is_used_up() const { return all() >= most_; }
+  void allow(std::size_t points) { most_ = with_work() + points; }
+  bool is_used_up() const { return with_work() >= most_; }
+  std::size_t with_work() const { return total() + work_.load(std::memory_order_relaxed); }
 
  private:
-  std::size_t all() const { return total() + work_.load(std::memory_order_relaxed); }
-
   std::atomic<std::size_t> points_ = 0;
   std::atomic<std::size_t> work_ = 0;
   std::size_t most_ = std::numeric_limits<std::size_t>::max();

@@ -86,12 +86,14 @@ double BoxMeasure::fold_between(const Triangle& a, const Triangle& b,
 }
 
 BoxMeasure::BoxMeasure(const Surface& surface, const Grid& grid, const Patches& patches,
-                       Triangles triangles, const std::optional<Bounds>& clip, unsigned threads)
+                       Triangles triangles, const std::optional<Bounds>& clip, ProofBudget& budget,
+                       unsigned threads)
     : surface_(surface),
       grid_(grid),
       patches_(patches),
       triangles_(std::move(triangles)),
       clip_(clip),
+      budget_(budget),
       threads_(threads) {}
 
 std::vector<ProofOutcome> BoxMeasure::operator()(std::span<const BoundedBox> boxes) {
@@ -115,6 +117,16 @@ const NearestTriangles& BoxMeasure::tree() {
   return *tree_;
 }
 
+/// The nearest triangle of the mesh. Among many sheets that takes a visit of most of them.
+NearestTriangle BoxMeasure::search(const dvec3& position, double enough,
+                                   const NearestTriangle& known) {
+  std::size_t visited = 0;
+  const NearestTriangle found = tree().nearest(position, enough, known, visited);
+  budget_.take_visits(visited);
+  if (const auto& count = surface_.tangents.count) count->add_work(visited / kVisitsPerPoint);
+  return found;
+}
+
 /// A triangle that is near enough, first the one of the point before; else the nearest.
 NearestTriangle BoxMeasure::nearest(std::size_t patch, const dvec3& position, double enough) {
   NearestTriangle nearest;
@@ -126,13 +138,14 @@ NearestTriangle BoxMeasure::nearest(std::size_t patch, const dvec3& position, do
     if (own.distance < nearest.distance) nearest = own;
   }
   if (nearest.distance <= enough) return nearest;
-  return tree().nearest(position, enough, nearest);
+  is_complete_ = budget_.may_visit();
+  return is_complete_ ? search(position, enough, nearest) : nearest;
 }
 
 double BoxMeasure::distance_from_mesh(const dvec3& position, double known) {
   NearestTriangle nearest;
   nearest.distance = known;
-  return tree().nearest(position, 0, nearest).distance;
+  return search(position, 0, nearest).distance;
 }
 
 ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> uv,
@@ -141,6 +154,7 @@ ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> u
   double worst = 0;
   std::size_t farthest = 0;
   nearest_.clear();
+  is_complete_ = true;
   const double most = kProofFactor * allowed - box.reach;
   if (box.centre) {
     return nearest(box.patch, *box.centre, most).distance <= most ? ProofOutcome::Proved
@@ -149,6 +163,7 @@ ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> u
   for (std::size_t k = 0; k < points.size(); ++k) {
     const dvec3& p = points[k];
     nearest_.push_back(nearest(box.patch, p, allowed));
+    if (!is_complete_) return ProofOutcome::Open;
     const double distance = nearest_.back().distance;
     if (!(distance > worst) || (clip_ && !clip_->contains(p))) continue;
     worst = distance;

@@ -23,9 +23,10 @@ class BoxMeasure {
     std::function<NearestTriangles()> all;
   };
 
-  /// `patches`: of the boxes. Points outside of `clip` refute nothing.
+  /// `patches`: of the boxes. Points outside of `clip` refute nothing. Where `budget` allows no
+  /// visits, boxes that the triangles of their patch leave open stay open.
   BoxMeasure(const Surface& surface, const Grid& grid, const Patches& patches, Triangles triangles,
-             const std::optional<Bounds>& clip, unsigned threads);
+             const std::optional<Bounds>& clip, ProofBudget& budget, unsigned threads);
 
   /// MeasureBoxes
   std::vector<ProofOutcome> operator()(std::span<const BoundedBox> boxes);
@@ -42,6 +43,7 @@ class BoxMeasure {
 
  private:
   const NearestTriangles& tree();
+  NearestTriangle search(const dvec3& position, double enough, const NearestTriangle& known);
   NearestTriangle nearest(std::size_t patch, const dvec3& position, double enough);
   ProofOutcome measure(const BoundedBox& box, std::span<const dvec2> uv,
                        std::span<const dvec3> points);
@@ -56,9 +58,11 @@ class BoxMeasure {
   Triangles triangles_;
   std::optional<NearestTriangles> tree_;  // made for the first point that its patch misses
   std::optional<Bounds> clip_;
+  ProofBudget& budget_;
   unsigned threads_;
   std::vector<Found> found_;
   std::vector<NearestTriangle> nearest_;  // of the points of one box
+  bool is_complete_ = true;               // all triangles that matter to the box were looked at
 };
 
 }  // namespace saddle

@@ -78,11 +78,12 @@ double NearestTriangles::square_of_distance(std::size_t node, const dvec3& p) co
 }
 
 NearestTriangle NearestTriangles::nearest(const dvec3& position, double enough,
-                                          NearestTriangle known) const {
+                                          NearestTriangle known, std::size_t& visited) const {
   std::vector<Open> open = {{0, square_of_distance(0, position)}};
   while (!open.empty() && !(known.distance <= enough)) {
     const auto [k, square] = open.back();
     open.pop_back();
+    ++visited;
     const double least = grid_.local_scale * known.distance;
     if (square >= least * least) continue;
     if (k >= leaves_ - 1) {

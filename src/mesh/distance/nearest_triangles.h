@@ -29,8 +29,9 @@ class NearestTriangles {
   NearestTriangles(const Grid& grid, std::span<const Triangle> triangles);
 
   /// A triangle within `enough` of a position; if there is none, the nearest, or `known`, if that
-  /// is nearer.
-  NearestTriangle nearest(const dvec3& position, double enough, NearestTriangle known) const;
+  /// is nearer. Adds the nodes that it visits to `visited`.
+  NearestTriangle nearest(const dvec3& position, double enough, NearestTriangle known,
+                          std::size_t& visited) const;
 
  private:
   std::span<const Triangle> triangles_of(std::size_t node) const;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "mesh/distance/descend.h"
 #include "mesh/distance/lines_through_places.h"
@@ -70,9 +71,10 @@ const TriangleTree& WholeMeshError::vertices() const {
 }
 
 double WholeMeshError::distance(const Place& place, const dvec3& position) const {
-  if (place.triangles.empty()) return tree().distance(position);
-  const double from_own = distance_from(grid_, place.triangles, place.uv, position);
-  return from_own > place.known ? tree().distance(position, from_own) : from_own;
+  const double from_own = place.triangles.empty()
+                              ? kInfinity
+                              : distance_from(grid_, place.triangles, place.uv, position);
+  return from_own > place.known ? tree().distance(position, from_own, place.known) : from_own;
 }
 
 std::vector<double> WholeMeshError::distances(std::span<const Place> places) const {

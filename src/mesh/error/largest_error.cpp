@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include <glm/common.hpp>
 
@@ -65,6 +66,10 @@ class ErrorSearch {
     if (part.scale != 1) return;
     for (const Triangle& t : part.triangles) on_mesh_.push_back(&t);
   }
+  /// The error that is found, if it is larger.
+  void take(const PlacedError& found, double scale) {
+    if (scale * found.distance > worst_.distance) worst_ = {scale * found.distance, found.uv};
+  }
   void climb_on_mesh() { take(whole_.from_mesh(on_mesh_, worst_.distance, tolerance_), 1); }
 
  private:
@@ -74,10 +79,6 @@ class ErrorSearch {
     double error() const { return scale * climb.best.distance; }
   };
 
-  void take(const PlacedError& found, double scale) {
-    if (scale * found.distance > worst_.distance) worst_ = {scale * found.distance, found.uv};
-  }
-
   ParameterBox domain_;
   double tolerance_;
   const WholeMeshError& whole_;
@@ -86,11 +87,29 @@ class ErrorSearch {
   std::vector<const Triangle*> on_mesh_;
 };
 
+/// A limit of the work of a search beside that of its mesh.
+class WorkLimit {
+ public:
+  explicit WorkLimit(const Surface& surface) : count_(surface.tangents.count.get()) {
+    if (count_ != nullptr) most_ = (1 + kShareOfMesh) * static_cast<double>(count_->with_work());
+  }
+  bool is_reached() const {
+    return count_ != nullptr && static_cast<double>(count_->with_work()) > most_;
+  }
+
+ private:
+  const PointCount* count_;
+  double most_ = 0;
+};
+
 }  // namespace
 
 PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspects,
                           std::span<const SearchedPart> others, KnownHulls& hulls,
                           const WholeMeshSearch& how) {
+  // Where sheets lie close together, all parts would take ten times the work of the mesh. Once it
+  // is known to be off, not all are searched.
+  const WorkLimit limit(surface);
   const auto distance = [&how](const SearchedPart& part, const dvec2& uv, const dvec3& position,
                                double known) {
     return how.whole().distance({uv, part.triangles, known}, position);
@@ -109,24 +128,38 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   std::ranges::stable_sort(suspects, std::ranges::greater(), &SearchedLeaf::error);
   for (const SearchedLeaf& leaf : suspects.first(std::min(shared(kMostOpen), suspects.size())))
     parts.push_back(leaf.part);
-  // Without time or points the worst suspects are measured, and the others left.
-  if (surface.may_go_on()) features.dive(parts);
-  const PlacedError followed = features.search(surface.may_go_on() ? shared(kMostBoxes) : 0);
+  auto rest = std::span<const SearchedPart>(parts);
+  const auto follow = [&](const auto& may_go_on) {
+    while (!rest.empty() && may_go_on()) {
+      const auto some = rest.first(std::min(rest.size(), kMostFollowed));
+      rest = rest.subspan(some.size());
+      features.dive(some);
+    }
+    return features.search(may_go_on() ? shared(kMostBoxes) : 0);
+  };
+  const PlacedError followed =
+      follow([&] { return surface.may_go_on() && !(is_off && limit.is_reached()); });
   ErrorSearch search(box_of(surface.domain), how.tolerance, how.whole(), followed);
-  const std::size_t at_once = surface.may_go_on() ? kInBatch : kMostFollowed;
   const auto may_be_worst = [&search](const SearchedLeaf& leaf) {
     return leaf.has_moved || leaf.error > search.worst().distance;
   };
-  for (std::size_t next = 0; next < suspects.size(); next += at_once) {
+  // Others need be measured no better than the worst suspects tell. Without time or points only
+  // these are measured.
+  for (std::size_t next = 0, at_once = kMostFollowed; next < suspects.size();
+       next += std::exchange(at_once, kInBatch)) {
     const auto some = suspects.subspan(next, std::min(at_once, suspects.size() - next));
     if (std::ranges::none_of(some, may_be_worst)) continue;
     search.measure(some);
     if (!surface.may_go_on()) return search.worst();
+    if (limit.is_reached() && search.worst().distance > how.tolerance) break;
   }
   search.climb(shared(kMostFollowed));
   for (const SearchedLeaf& leaf : suspects) search.measure_triangles(leaf.part);
   for (const SearchedPart& part : others) search.measure_triangles(part);
   search.climb_on_mesh();
+  // A leaf that is off by its own triangles may be near others.
+  const bool is_within = !(search.worst().distance > how.tolerance);
+  if (is_within && !rest.empty()) search.take(follow([&] { return surface.may_go_on(); }), 1);
   return search.worst();
 }
 

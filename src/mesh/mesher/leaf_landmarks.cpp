@@ -129,7 +129,8 @@ void LeafLandmarks::complete(std::span<const Triangle> triangles, double toleran
   for (std::size_t k = 0; k < places_.size(); ++k) {
     if (is_missed_[k] == 0 || places_[k].is_hole()) continue;
     if (!whole) whole.emplace(grid_, triangles);
-    const double error = whole->nearest(places_[k].position, 0, {}).distance;
+    std::size_t visited = 0;
+    const double error = whole->nearest(places_[k].position, 0, {}, visited).distance;
     if (error > std::max(report.max_error, tolerance)) report.worst_place = places_[k].uv;
     report.max_error = std::max(report.max_error, error);
   }

@@ -76,7 +76,7 @@ LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
                         mesh.tidy_triangles();
                         return NearestTriangles(grid_, mesh.triangles.all);
                       }},
-                     clip_, threads_);
+                     clip_, budget_, threads_);
   Result result;
   from_mesh_ = 0;
   const double bound = proof_ ? proof_->bound : 0;

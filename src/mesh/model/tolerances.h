@@ -110,6 +110,8 @@ inline constexpr std::size_t kStandForAll = 1024;
 inline constexpr std::size_t kManyOfLine = 12;
 /// Places or leaves that a search begins with, the worst first: most searches find nothing more.
 inline constexpr std::size_t kFirstSearched = 8;
+/// As a part of the work that a mesh took: what proofs and the search for its largest error may.
+inline constexpr double kShareOfMesh = 0.25;
 /// Triangles of a leaf of a tree that finds the nearest ones.
 inline constexpr std::size_t kTrianglesOfNode = 4;
 /// Vertices or leaves whose columns of results are kept at a time: 1.4 to 3 MB, and work for all

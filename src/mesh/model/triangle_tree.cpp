@@ -11,9 +11,6 @@
 namespace saddle {
 namespace {
 
-/// Nodes that are visited for a distance while a point of a short formula is computed.
-constexpr std::size_t kVisitsPerPoint = 4;
-
 double square(const dvec3& a) {
   return glm::dot(a, a);
 }
@@ -193,7 +190,7 @@ PairCount TriangleTree::count_pairs(const PairTest& test, std::size_t most_tests
   return total;
 }
 
-TriangleTree::Nearest TriangleTree::nearest(const dvec3& p, double known) const {
+TriangleTree::Nearest TriangleTree::nearest(const dvec3& p, double known, double enough) const {
   double best = known * known;
   if (nodes_.empty()) return {known, std::nullopt};
   std::optional<std::uint32_t> which;
@@ -205,7 +202,7 @@ TriangleTree::Nearest TriangleTree::nearest(const dvec3& p, double known) const 
   std::size_t depth = 0;
   std::size_t visited = 0;
   stack[depth++] = {0, square_distance(p, nodes_[0].box)};
-  while (depth > 0) {
+  while (depth > 0 && !(best <= enough * enough)) {
     const Visit visit = stack[--depth];
     if (visit.from >= best) continue;
     const Node& node = nodes_[visit.node];

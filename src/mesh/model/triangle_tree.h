@@ -18,6 +18,9 @@
 
 namespace saddle {
 
+/// Nodes that are visited for a distance while a point of a short formula is computed.
+inline constexpr std::size_t kVisitsPerPoint = 4;
+
 /// Pairs of triangles that were tested, and those that passed.
 struct PairCount {
   std::size_t passed = 0;
@@ -38,10 +41,14 @@ class TriangleTree {
     double distance;
     std::optional<std::uint32_t> triangle;  ///< none is nearer than what was known
   };
-  Nearest nearest(const dvec3& p, double known = std::numeric_limits<double>::infinity()) const;
-  /// The distance of the nearest triangle, or `known` if none is nearer.
-  double distance(const dvec3& p, double known = std::numeric_limits<double>::infinity()) const {
-    return nearest(p, known).distance;
+  /// Any triangle within `enough` will do.
+  Nearest nearest(const dvec3& p, double known = std::numeric_limits<double>::infinity(),
+                  double enough = 0) const;
+  /// The distance of the nearest triangle, or `known` if none is nearer; any that is within
+  /// `enough`.
+  double distance(const dvec3& p, double known = std::numeric_limits<double>::infinity(),
+                  double enough = 0) const {
+    return nearest(p, known, enough).distance;
   }
 
   /// A test of two triangles, by their numbers.

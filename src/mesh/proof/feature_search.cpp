@@ -85,7 +85,8 @@ double FeatureSearch::bound_over(const SearchedPart& part, const ParameterBox& b
   if (clip_ && is_beyond(*clip_, std::array{hull.low, hull.high})) return 0;
   const double radius = 0.5 * hull.diagonal();
   if (!std::isfinite(radius)) return kInfinity;
-  const double known = std::max(0.0, limit() / part.scale - radius);
+  // Among many sheets an exact distance takes a visit of most.
+  const double known = std::max(limit() / part.scale - radius, kFarApart * hull.diagonal());
   return part.scale * (distance_(part, box.middle(), hull.centre(), known) + radius);
 }
 
@@ -127,8 +128,8 @@ std::vector<PlacedError> FeatureSearch::dive(std::span<const SearchedPart> parts
     std::vector<std::size_t> active;
     std::vector<Sample> samples;
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      const double known = found[k].distance;
-      if (!(nodes[k].bound > kMatters * std::max(least_, known))) continue;
+      const double known = std::max(least_, found[k].distance);
+      if (!(nodes[k].bound > kMatters * known)) continue;
       const auto [first, second] = halves(nodes[k]);
       const bool is_second = second.bound > first.bound;
       nodes[k] = is_second ? second : first;
@@ -164,7 +165,7 @@ PlacedError FeatureSearch::search(std::size_t boxes) {
       for (const Node& half : halves(node)) {
         if (!(half.bound > limit())) continue;
         next.push_back(half);
-        samples.push_back({half.part, sample_of(half.box), worst_.distance});
+        samples.push_back({half.part, sample_of(half.box), std::max(least_, worst_.distance)});
       }
     }
     const std::vector<double> distances = measure(samples);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "formula/operations.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 namespace {
@@ -10,13 +11,11 @@ namespace {
 /// Boxes for a search of few boxes: 4,000, and fewer for long formulas, 1.25 million instructions.
 constexpr std::size_t kMaxBoxes = 4'000;
 constexpr std::size_t kMaxSteps = 1'250'000;
-/// Places that a box takes: 6, and one for each 12 instructions; and a measured point.
+/// Places that a box takes: 6, and one for each 12 instructions.
 constexpr std::size_t kPlacesPerBox = 6;
 constexpr std::size_t kStepsPerPlace = 12;
-constexpr std::size_t kPlacesPerPoint = 2;
-/// Proofs may take 0.25 times the places that their mesh took, and 16,000, about half the time that
-/// the program takes to start.
-constexpr double kShareOfMesh = 0.25;
+/// Proofs may take kShareOfMesh of the places that their mesh took, and 16,000, about half the time
+/// that the program takes to start.
 constexpr double kLeastPlaces = 16'000;
 /// Short levels of boxes may take 170,000 in place of 16,000: the proof of a tube around a knot
 /// takes 150,000.

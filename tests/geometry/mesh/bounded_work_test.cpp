@@ -100,6 +100,19 @@ TEST(BoundedWork, ForeseesWavesThatNoMeshCouldFollow) {
   }
 }
 
+TEST(BoundedWork, LooksForNearSheetsWithAPartOfTheWorkOfTheMesh) {
+  // Sheets of waves lie so close together that a point's nearest triangle is found only after a
+  // visit of most: for all parts of the mesh that would take ten times its work.
+  MeshRequest options = within_share(1e-3, 3);
+  options.max_triangles = 200'000;
+  const Surface tangle = surface_from_text("sin(100*u*v)", "cos(130*u+v)", "sin(170*v-u*u)",
+                                           {-1, 1, -1, 1}, {}, Order::Second);
+  const MeshResult result = try_mesh(tangle, options).value();
+  EXPECT_TRUE(result.report.reached_limit);
+  EXPECT_GT(result.report.max_error, *result.report.tolerance);
+  EXPECT_LT(tangle.tangents.count->with_work(), 4 * tangle.tangents.count->total());
+}
+
 TEST(BoundedWork, SearchesAMeshThatTheLimitStoppedOnce) {
   MeshRequest options = within_share(1e-9, 3);
   options.max_triangles = 40'000;

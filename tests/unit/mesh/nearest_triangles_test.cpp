@@ -42,7 +42,8 @@ TEST(NearestTriangles, AreThoseOfALookAtEach) {
       double distance = NearestTriangle().distance;
       for (const Triangle& triangle : triangles)
         distance = std::min(distance, nearest_point(grid, triangle, place).distance);
-      EXPECT_EQ(tree.nearest(place, 0, {}).distance, distance) << count;
+      std::size_t visited = 0;
+      EXPECT_EQ(tree.nearest(place, 0, {}, visited).distance, distance) << count;
     }
   }
 }
