@@ -9,6 +9,7 @@
 
 #include "base/numbers.h"
 #include "mesh/distance/sampled_error.h"
+#include "mesh/model/triangle_tree.h"
 
 namespace saddle {
 namespace {
@@ -127,8 +128,10 @@ NearestTriangle BoxMeasure::search(const dvec3& position, double enough,
   return found;
 }
 
-/// A triangle that is near enough, first the one of the point before; else the nearest.
-NearestTriangle BoxMeasure::nearest(std::size_t patch, const dvec3& position, double enough) {
+/// A triangle that is near enough, first the one of the point before; else the nearest. None if it
+/// may not be searched for.
+std::optional<NearestTriangle> BoxMeasure::nearest(std::size_t patch, const dvec3& position,
+                                                   double enough) {
   NearestTriangle nearest;
   if (!nearest_.empty()) nearest = nearest_point(grid_, nearest_.back().triangle, position);
   for (const Triangle& t : triangles_.of(patch)) {
@@ -138,8 +141,8 @@ NearestTriangle BoxMeasure::nearest(std::size_t patch, const dvec3& position, do
     if (own.distance < nearest.distance) nearest = own;
   }
   if (nearest.distance <= enough) return nearest;
-  is_complete_ = budget_.may_visit();
-  return is_complete_ ? search(position, enough, nearest) : nearest;
+  if (!budget_.may_visit()) return std::nullopt;
+  return search(position, enough, nearest);
 }
 
 double BoxMeasure::distance_from_mesh(const dvec3& position, double known) {
@@ -154,16 +157,16 @@ ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> u
   double worst = 0;
   std::size_t farthest = 0;
   nearest_.clear();
-  is_complete_ = true;
   const double most = kProofFactor * allowed - box.reach;
   if (box.centre) {
-    return nearest(box.patch, *box.centre, most).distance <= most ? ProofOutcome::Proved
-                                                                  : ProofOutcome::Open;
+    const auto found = nearest(box.patch, *box.centre, most);
+    return found && found->distance <= most ? ProofOutcome::Proved : ProofOutcome::Open;
   }
   for (std::size_t k = 0; k < points.size(); ++k) {
     const dvec3& p = points[k];
-    nearest_.push_back(nearest(box.patch, p, allowed));
-    if (!is_complete_) return ProofOutcome::Open;
+    const auto found = nearest(box.patch, p, allowed);
+    if (!found) return ProofOutcome::Open;
+    nearest_.push_back(*found);
     const double distance = nearest_.back().distance;
     if (!(distance > worst) || (clip_ && !clip_->contains(p))) continue;
     worst = distance;

@@ -44,7 +44,7 @@ class BoxMeasure {
  private:
   const NearestTriangles& tree();
   NearestTriangle search(const dvec3& position, double enough, const NearestTriangle& known);
-  NearestTriangle nearest(std::size_t patch, const dvec3& position, double enough);
+  std::optional<NearestTriangle> nearest(std::size_t patch, const dvec3& position, double enough);
   ProofOutcome measure(const BoundedBox& box, std::span<const dvec2> uv,
                        std::span<const dvec3> points);
   double fold_between(const Triangle& a, const Triangle& b,
@@ -62,7 +62,6 @@ class BoxMeasure {
   unsigned threads_;
   std::vector<Found> found_;
   std::vector<NearestTriangle> nearest_;  // of the points of one box
-  bool is_complete_ = true;               // all triangles that matter to the box were looked at
 };
 
 }  // namespace saddle

@@ -87,20 +87,11 @@ class ErrorSearch {
   std::vector<const Triangle*> on_mesh_;
 };
 
-/// A limit of the work of a search beside that of its mesh.
-class WorkLimit {
- public:
-  explicit WorkLimit(const Surface& surface) : count_(surface.tangents.count.get()) {
-    if (count_ != nullptr) most_ = (1 + kShareOfMesh) * static_cast<double>(count_->with_work());
-  }
-  bool is_reached() const {
-    return count_ != nullptr && static_cast<double>(count_->with_work()) > most_;
-  }
-
- private:
-  const PointCount* count_;
-  double most_ = 0;
-};
+/// The points, and other work as points, that a surface has taken; 0 if they are not counted.
+double work_of(const Surface& surface) {
+  const auto& count = surface.tangents.count;
+  return count ? static_cast<double>(count->with_work()) : 0;
+}
 
 }  // namespace
 
@@ -109,7 +100,8 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
                           const WholeMeshSearch& how) {
   // Where sheets lie close together, all parts would take ten times the work of the mesh. Once it
   // is known to be off, not all are searched.
-  const WorkLimit limit(surface);
+  const double most_work = (1 + kShareOfMesh) * work_of(surface);
+  const auto is_at_limit = [&] { return work_of(surface) > most_work; };
   const auto distance = [&how](const SearchedPart& part, const dvec2& uv, const dvec3& position,
                                double known) {
     return how.whole().distance({uv, part.triangles, known}, position);
@@ -138,7 +130,7 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
     return features.search(may_go_on() ? shared(kMostBoxes) : 0);
   };
   const PlacedError followed =
-      follow([&] { return surface.may_go_on() && !(is_off && limit.is_reached()); });
+      follow([&] { return surface.may_go_on() && !(is_off && is_at_limit()); });
   ErrorSearch search(box_of(surface.domain), how.tolerance, how.whole(), followed);
   const auto may_be_worst = [&search](const SearchedLeaf& leaf) {
     return leaf.has_moved || leaf.error > search.worst().distance;
@@ -151,7 +143,7 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
     if (std::ranges::none_of(some, may_be_worst)) continue;
     search.measure(some);
     if (!surface.may_go_on()) return search.worst();
-    if (limit.is_reached() && search.worst().distance > how.tolerance) break;
+    if (is_at_limit() && search.worst().distance > how.tolerance) break;
   }
   search.climb(shared(kMostFollowed));
   for (const SearchedLeaf& leaf : suspects) search.measure_triangles(leaf.part);

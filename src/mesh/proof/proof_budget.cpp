@@ -4,6 +4,7 @@
 
 #include "formula/operations.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/model/triangle_tree.h"
 
 namespace saddle {
 namespace {
@@ -11,9 +12,10 @@ namespace {
 /// Boxes for a search of few boxes: 4,000, and fewer for long formulas, 1.25 million instructions.
 constexpr std::size_t kMaxBoxes = 4'000;
 constexpr std::size_t kMaxSteps = 1'250'000;
-/// Places that a box takes: 6, and one for each 12 instructions.
+/// Places that a box takes: 6, and one for each 12 instructions; and a measured point.
 constexpr std::size_t kPlacesPerBox = 6;
 constexpr std::size_t kStepsPerPlace = 12;
+constexpr std::size_t kPlacesPerPoint = 2;
 /// Proofs may take kShareOfMesh of the places that their mesh took, and 16,000, about half the time
 /// that the program takes to start.
 constexpr double kLeastPlaces = 16'000;
@@ -50,6 +52,10 @@ void ProofBudget::take_box() {
 
 void ProofBudget::take_points(std::size_t count) {
   spent_ += kPlacesPerPoint * count;
+}
+
+bool ProofBudget::may_visit() const {
+  return kPlacesPerPoint * visited_ / kVisitsPerPoint < most_of_short_;
 }
 
 }  // namespace saddle

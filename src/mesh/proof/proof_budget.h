@@ -5,13 +5,9 @@
 #include <memory>
 
 #include "base/run_limits.h"
-#include "mesh/model/triangle_tree.h"
 #include "surface/surface.h"
 
 namespace saddle {
-
-/// Places that a measured point takes.
-inline constexpr std::size_t kPlacesPerPoint = 2;
 
 /// The work that proofs may still take, in places (mesh/sizing/effort.h).
 class ProofBudget {
@@ -31,7 +27,7 @@ class ProofBudget {
   void take_points(std::size_t count);
   /// Nodes of a tree of triangles; these have as much work to themselves as short levels.
   void take_visits(std::size_t count) { visited_ += count; }
-  bool may_visit() const { return kPlacesPerPoint * visited_ / kVisitsPerPoint < most_of_short_; }
+  bool may_visit() const;
 
   /// Places that a box takes.
   std::size_t of_box() const { return of_box_; }
