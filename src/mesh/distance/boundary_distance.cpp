@@ -252,15 +252,18 @@ double BoundaryDistance::foot(std::uint32_t from, std::uint32_t to, const dvec3&
 
 /// Where the surface, or its part in the clip box, ends on ways across chords.
 std::vector<dvec2> BoundaryDistance::ends_of(std::span<const Line> ways) const {
-  std::vector<dvec2> ends = last_defined(surface_, ways, kHalvingsToEdge, threads_, clip_);
-  std::vector<Line> to_faces;
-  for (std::size_t k = 0; k < ways.size(); ++k) {
-    if (chords_[k].is_at_face) to_faces.push_back({ends[k], ways[k][1]});
-  }
-  const auto faces = last_defined(surface_, to_faces, kHalvingsToLeast, threads_, clip_);
-  std::size_t next = 0;
-  for (std::size_t k = 0; k < ways.size(); ++k) {
-    if (chords_[k].is_at_face) ends[k] = faces[next++];
+  std::vector<dvec2> ends(ways.size());
+  for (const bool is_at_face : {false, true}) {
+    std::vector<std::size_t> numbers;
+    std::vector<Line> some;
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+      if (chords_[k].is_at_face != is_at_face) continue;
+      numbers.push_back(k);
+      some.push_back(ways[k]);
+    }
+    const int halvings = is_at_face ? kHalvingsToLeast : kHalvingsToEdge;
+    const auto found = last_defined(surface_, some, halvings, threads_, clip_);
+    for (std::size_t i = 0; i < numbers.size(); ++i) ends[numbers[i]] = found[i];
   }
   follow_outside(ways, ends);
   return ends;
@@ -338,19 +341,37 @@ void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
   measure_beyond_box(at_middle, found);
 }
 
+double BoundaryDistance::distance_to_box(const dvec3& position) const {
+  return clip_ ? glm::distance(position, glm::clamp(position, clip_->low, clip_->high)) : 0;
+}
+
 /// Where chords are outside of the clip box, the edge beyond them may be in it: that of sqrt(v)/u^2
 /// is z=0 up to the pole.
 void BoundaryDistance::measure_beyond_box(std::span<const SurfacePoint> at_middle,
                                           std::vector<LeafDistance>& found) {
   std::vector<const EdgeChord*> chords;
   std::vector<Line> ways;
+  std::vector<double> away;
   for (std::size_t k = 0; k < chords_.size(); ++k) {
     const EdgeChord& chord = chords_[k];
     const dvec3& position = at_middle[k].position;
     if (!chord.is_outward || !is_finite(position) || is_seen(clip_, position)) continue;
     chords.push_back(&chord);
     ways.push_back({chord.middle, chord.beyond});
+    away.push_back(distance_to_box(position));
   }
+  // A way to a pole of infinity leads away from the box.
+  const std::vector<dvec2> near = last_defined(surface_, ways, kHalvingsOfSecondOrder, threads_);
+  const std::vector<dvec3> at_near = evaluate_positions(surface_, near, threads_);
+  evaluations_ += chords.size() * (1 + kHalvingsOfSecondOrder);
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < chords.size(); ++k) {
+    if (distance_to_box(at_near[k]) > away[k]) continue;
+    chords[kept] = chords[k];
+    ways[kept++] = ways[k];
+  }
+  chords.resize(kept);
+  ways.resize(kept);
   const std::vector<dvec2> ends = last_defined(surface_, ways, kHalvingsToEdge, threads_);
   const std::vector<SurfacePoint> at_ends = evaluate(surface_, ends, threads_);
   evaluations_ += chords.size() * (1 + kHalvingsToEdge);

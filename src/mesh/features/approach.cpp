@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <glm/common.hpp>
 
 #include "base/numbers.h"
-#include "mesh/features/bisect_together.h"
+#include "mesh/features/way_out.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
@@ -107,35 +108,11 @@ std::array<dvec2, 2> nearest_approaches(const Line& line) {
   return {approach(line, kApproach[kApproach.size() - 2]), approach(line, kApproach.back())};
 }
 
-namespace {
-
-/// Where a line is halved: where a parameter is 0, while one has both signs. Doubles are so close
-/// there that no number of halvings ends at 0, where many formulas end.
-dvec2 middle_or_zero(const Line& line) {
-  for (int k = 0; k < 2; ++k) {
-    if (!(line[0][k] * line[1][k] < 0)) continue;
-    dvec2 place = line[0] + line[0][k] / (line[0][k] - line[1][k]) * (line[1] - line[0]);
-    place[k] = 0;
-    return place;
-  }
-  return middle_of(line);
-}
-
-}  // namespace
-
 std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> lines, int halvings,
                                 unsigned threads, const std::optional<Bounds>& box) {
-  std::vector<Line> ends(lines.begin(), lines.end());
-  std::vector<std::size_t> open = all_open(lines.size());
-  const auto is_done = [&](Line& line, const dvec2& middle, const dvec3& p) {
-    const bool is_last = middle == line[0] || middle == line[1];  // no doubles between
-    line[is_seen(box, p) ? 0 : 1] = middle;
-    return is_last;
-  };
-  bisect_together(surface, ends, open, {halvings, threads}, middle_or_zero, is_done);
-  std::vector<dvec2> last(ends.size());
-  std::ranges::transform(ends, last.begin(), [](const Line& line) { return line[0]; });
-  return last;
+  std::vector<WayOut> ways;
+  for (const Line& line : lines) ways.emplace_back(line, box);
+  return leave(surface, std::move(ways), {halvings, threads});
 }
 
 namespace {

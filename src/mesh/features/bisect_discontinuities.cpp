@@ -25,9 +25,6 @@ constexpr std::size_t kFarOutward = 7;
 /// The part of a line at which it is halved.
 constexpr double kShare = 0.498;
 
-/// In doubles: a place nearer to an end may be that end.
-constexpr double kLeastStep = 2;
-
 /// A place without a value may be a cusp itself. It is then tried on both sides of that.
 constexpr int kMostMisses = 2;
 
@@ -84,31 +81,19 @@ Discontinuity at_last_digits(const Search& search, double delta) {
   return Discontinuity::Jump;
 }
 
-/// The part of a line at which it is evaluated next: the zero of the chord of the heights at its
-/// ends. The place is moved a little toward the middle, so that both ends come close, and is never
-/// so far from the middle that halvings would have been faster. Source: I. F. D. Oliveira, R. H. C.
-/// Takahashi, "An enhancement of the bisection method average performance preserving minmax
-/// optimality", 2020, with their n_0 = 1, kappa_1 = 0.2 and kappa_2 = 2.
+/// The part of a line at which it is evaluated next: near the zero of the chord of the heights at
+/// its ends.
 double next_share(const Search& search) {
-  constexpr double kAside = 0.2;
   const auto& [first, last] = search.heights;
   if (!(first * last < 0) || !std::isfinite(first - last)) return kShare;
-  const auto& [a, b] = search.ends;
-  const dvec2 way = glm::abs(b - a);
-  const dvec2 place = glm::max(glm::abs(a), glm::abs(b));
-  const double digits = kLeastStep * std::numeric_limits<double>::epsilon();
-  const double least = digits * std::max(place.x, place.y) / std::max(way.x, way.y);
+  const double least = least_share(search.ends);
   if (!(least < kShare)) return kShare;
   if (search.is_missed) {
     const double beside = search.share + (search.misses % 2 == 0 ? least : -least);
     return std::clamp(beside, least, 1 - least);
   }
-  const double on_chord = first / (first - last);
-  const double side = on_chord < 0.5 ? 1 : -1;
-  const double off = std::fabs(0.5 - on_chord);
-  const double inward = std::max(off - kAside * search.width, 0.0);
-  const double farthest = std::max(std::exp2(1 - search.steps) / search.width - 0.5, 0.0);
-  return std::clamp(0.5 - side * std::min(inward, farthest), least, 1 - least);
+  const double share = share_of_zero(first, last, search.width, std::exp2(1 - search.steps));
+  return std::clamp(share, least, 1 - least);
 }
 
 /// The values at the place at which a line is evaluated.

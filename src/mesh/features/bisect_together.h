@@ -2,11 +2,16 @@
 // each line that is still open, all in one batch.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <type_traits>
 #include <vector>
+
+#include <glm/common.hpp>
 
 #include "mesh/proof/continuity.h"
 #include "surface/surface.h"
@@ -21,6 +26,29 @@ inline dvec2 middle_of(const Line& line) {
 inline bool has_no_middle(const Line& line) {
   const dvec2 middle = middle_of(line);
   return middle == line[0] || middle == line[1];
+}
+
+/// Two doubles, as a share of a line: a place nearer to an end may be that end.
+inline double least_share(const Line& line) {
+  constexpr double kLeastStep = 2 * std::numeric_limits<double>::epsilon();
+  const dvec2 way = glm::abs(line[1] - line[0]);
+  const dvec2 place = glm::max(glm::abs(line[0]), glm::abs(line[1]));
+  return kLeastStep * std::max(place.x, place.y) / std::max(way.x, way.y);
+}
+
+/// The share of a line at which to look for a zero between values of different signs at its ends:
+/// that of their chord, moved a little toward the middle, so that both ends come close, and so near
+/// to it that no more than `widest` is left. That and `width`, which is left of the line by now,
+/// are in parts of the whole line. Source: I. F. D. Oliveira, R. H. C. Takahashi, "An enhancement
+/// of the bisection method average performance preserving minmax optimality", 2020, with kappa_1 =
+/// 0.2 and kappa_2 = 2.
+inline double share_of_zero(double first, double last, double width, double widest) {
+  constexpr double kAside = 0.2;
+  const double on_chord = first / (first - last);
+  const double side = on_chord < 0.5 ? 1 : -1;
+  const double inward = std::max(std::fabs(0.5 - on_chord) - kAside * width, 0.0);
+  const double farthest = std::max(widest / width - 0.5, 0.0);
+  return 0.5 - side * std::min(inward, farthest);
 }
 
 /// Numbers of all of `count` searches.

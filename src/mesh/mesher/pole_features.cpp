@@ -11,8 +11,8 @@
 #include <glm/geometric.hpp>
 
 #include "mesh/features/approach.h"
-#include "mesh/features/bisect_together.h"
 #include "mesh/features/discontinuities.h"
+#include "mesh/features/way_out.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_tree.h"
 
@@ -55,15 +55,9 @@ void draw_back_from_poles(std::span<PoleWay> ways, const TraceOptions& options,
   for (std::size_t i = 0; i < finite.size(); ++i) ways[numbers[i]].last = finite[i];
 }
 
-/// A way from a vertex to a pole, and the box that it leaves: the clip box, and the vertex if that
-/// is outside. A way from below the box to a pole above it crosses both faces.
-struct WayOut {
-  Line line;
-  Bounds box;
-};
-
-/// The places where ways leave the clip box last, before the pole. A way outside of the box leaves
-/// at its start.
+/// The places where ways leave the clip box last, before the pole. A way that begins outside of the
+/// box leaves where it begins. A way from below the box to a pole above it crosses both faces: the
+/// first end counts as within.
 std::vector<dvec2> leave_box(std::span<const PoleWay> ways, const TraceOptions& options,
                              const CellTree& tree) {
   std::vector<dvec2> last;
@@ -75,21 +69,10 @@ std::vector<dvec2> leave_box(std::span<const PoleWay> ways, const TraceOptions& 
     Bounds box = *options.clip;
     box.add(tree.mesh().position[way.from]);
     const bool goes_on = box.contains(at_last[k].position);
-    out.push_back(
-        {goes_on ? Line{way.last, way.beyond} : Line{tree.mesh().uv[way.from], way.last}, box});
+    out.emplace_back(
+        goes_on ? Line{way.last, way.beyond} : Line{tree.mesh().uv[way.from], way.last}, box);
   }
-  std::vector<std::size_t> open = all_open(out.size());
-  const auto is_done = [](WayOut& way, const dvec2& middle, const dvec3& position) {
-    const bool is_last = has_no_middle(way.line);
-    way.line[is_finite(position) && way.box.contains(position) ? 0 : 1] = middle;
-    return is_last;
-  };
-  bisect_together(
-      tree.surface(), out, open, {kHalvingsToLeast, options.threads},
-      [](const WayOut& way) { return middle_of(way.line); }, is_done);
-  std::vector<dvec2> places;
-  places.reserve(out.size());
-  for (const WayOut& way : out) places.push_back(way.line[0]);
+  auto places = leave(tree.surface(), std::move(out), {kHalvingsToLeast, options.threads});
   const auto at_faces = evaluate(tree.surface(), places, options.threads);
   for (std::size_t k = 0; k < ways.size(); ++k) {
     if (!options.clip->contains(at_faces[k].position)) places[k] = tree.mesh().uv[ways[k].from];
