@@ -242,15 +242,16 @@ class LineSearch {
       is_complete_[k] = found_[k].kind == Discontinuity::Jump && !is_full_[k];
     std::vector<std::size_t> counts(lines_.size(), 0);
     std::vector<std::size_t> all(lines_.size(), 0);
-    std::vector<bool> has_long(lines_.size(), false);
+    std::vector<bool> is_unclear(lines_.size(), false);
     const std::size_t first = more_.size() - open.size();
     for (std::size_t i = 0; i < open.size(); ++i) {
       const LinePart& part = open[i];
       const bool is_short = length_of(part.part) <= kSame * length_of(lines_[part.line]);
       if (is_short && !part.broken_end) ++counts[part.line];
-      if (!is_short) has_long[part.line] = true;
-      ++all[part.line];
       const bool is_jump = more_[first + i].kind != Discontinuity::None;
+      // A place with a value of its own is no jump of the line, but may be one of its halves.
+      if (!is_short || (!is_jump && !part.broken_end)) is_unclear[part.line] = true;
+      ++all[part.line];
       if ((!is_short && is_jump) || counts[part.line] == kMostLineParts)
         is_complete_[part.line] = false;
     }
@@ -262,7 +263,7 @@ class LineSearch {
       if (is_full_[k]) is_complete_[k] = false;
     }
     for (std::size_t k = 0; k < lines_.size(); ++k)
-      found_[k].is_proved = is_complete_[k] && !has_long[k] && all[k] < kMostLineParts;
+      found_[k].is_proved = is_complete_[k] && !is_unclear[k] && all[k] < kMostLineParts;
   }
 
   /// Adds discontinuities to those that lines were known to have first, the nearest ones first.
