@@ -39,9 +39,10 @@ constexpr double kLong = 16;
 constexpr double kComponentMargin = 0.5;
 
 /// Samples of a box, in shares of its sides: four beside the corners, and the middle. They avoid
-/// dyadic places, at which formulas have values of their own, as sign(u) at 0.
+/// dyadic places, at which formulas have values of their own, as sign(u) at 0, and the diagonals
+/// through the corners of boxes, as of sign(u + v).
 constexpr std::array<std::array<double, 2>, 5> kSamplesOfBox = {
-    {{0.0417, 0.0731}, {0.9371, 0.0589}, {0.9523, 0.9277}, {0.0653, 0.9461}, {0.5129, 0.4871}}};
+    {{0.0417, 0.0731}, {0.9371, 0.0589}, {0.9523, 0.9277}, {0.0653, 0.9461}, {0.5129, 0.4873}}};
 
 /// An open part of the domain.
 struct OpenBox {
