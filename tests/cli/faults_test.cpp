@@ -15,6 +15,7 @@
 #include "base/file.h"
 #include "base/run_limits.h"
 #include "cli/program.h"
+#include "sanitized.h"
 
 namespace saddle {
 namespace {
@@ -40,9 +41,11 @@ class Faults : public ProgramTest {
     return run_saddle(words, folder_, "", [&] { setenv(variable, value.c_str(), 1); });
   }
   /// Ended by the system after so much work.
+  /// Sanitizers take ten times as long.
   Outcome run_within(rlim_t seconds, const Words& words) const {
+    const rlim_t most = kIsSanitized ? 10 * seconds : seconds;
     return run_saddle(words, folder_, "", [=] {
-      const rlimit limit{seconds, seconds};
+      const rlimit limit{most, most};
       setrlimit(RLIMIT_CPU, &limit);
     });
   }
