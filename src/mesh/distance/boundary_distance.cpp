@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "mesh/distance/sampled_error.h"
 #include "mesh/distance/sheet_view.h"
 #include "mesh/features/approach.h"
+#include "mesh/features/way_out.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
@@ -252,19 +254,10 @@ double BoundaryDistance::foot(std::uint32_t from, std::uint32_t to, const dvec3&
 
 /// Where the surface, or its part in the clip box, ends on ways across chords.
 std::vector<dvec2> BoundaryDistance::ends_of(std::span<const Line> ways) const {
-  std::vector<dvec2> ends(ways.size());
-  for (const bool is_at_face : {false, true}) {
-    std::vector<std::size_t> numbers;
-    std::vector<Line> some;
-    for (std::size_t k = 0; k < ways.size(); ++k) {
-      if (chords_[k].is_at_face != is_at_face) continue;
-      numbers.push_back(k);
-      some.push_back(ways[k]);
-    }
-    const int halvings = is_at_face ? kHalvingsToLeast : kHalvingsToEdge;
-    const auto found = last_defined(surface_, some, halvings, threads_, clip_);
-    for (std::size_t i = 0; i < numbers.size(); ++i) ends[numbers[i]] = found[i];
-  }
+  std::vector<WayOut> out;
+  for (std::size_t k = 0; k < ways.size(); ++k)
+    out.emplace_back(ways[k], chords_[k].is_at_face ? kHalvingsToLeast : kHalvingsToEdge, clip_);
+  std::vector<dvec2> ends = leave(surface_, std::move(out), threads_);
   follow_outside(ways, ends);
   return ends;
 }
@@ -341,45 +334,36 @@ void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
   measure_beyond_box(at_middle, found);
 }
 
-double BoundaryDistance::distance_to_box(const dvec3& position) const {
-  return clip_ ? glm::distance(position, glm::clamp(position, clip_->low, clip_->high)) : 0;
-}
-
-/// Where chords are outside of the clip box, the edge beyond them may be in it: that of sqrt(v)/u^2
-/// is z=0 up to the pole.
+/// Chords outside of the clip box may have an edge in it: that of sqrt(v)/u^2 is z=0 to the pole.
 void BoundaryDistance::measure_beyond_box(std::span<const SurfacePoint> at_middle,
                                           std::vector<LeafDistance>& found) {
-  std::vector<const EdgeChord*> chords;
-  std::vector<Line> ways;
-  std::vector<double> away;
+  std::vector<std::size_t> numbers;
   for (std::size_t k = 0; k < chords_.size(); ++k) {
-    const EdgeChord& chord = chords_[k];
     const dvec3& position = at_middle[k].position;
-    if (!chord.is_outward || !is_finite(position) || is_seen(clip_, position)) continue;
-    chords.push_back(&chord);
-    ways.push_back({chord.middle, chord.beyond});
-    away.push_back(distance_to_box(position));
+    if (chords_[k].is_outward && is_finite(position) && !is_seen(clip_, position))
+      numbers.push_back(k);
   }
-  // A way to a pole of infinity leads away from the box.
-  const std::vector<dvec2> near = last_defined(surface_, ways, kHalvingsOfSecondOrder, threads_);
-  const std::vector<dvec3> at_near = evaluate_positions(surface_, near, threads_);
-  evaluations_ += chords.size() * (1 + kHalvingsOfSecondOrder);
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < chords.size(); ++k) {
-    if (distance_to_box(at_near[k]) > away[k]) continue;
-    chords[kept] = chords[k];
-    ways[kept++] = ways[k];
-  }
-  chords.resize(kept);
-  ways.resize(kept);
-  const std::vector<dvec2> ends = last_defined(surface_, ways, kHalvingsToEdge, threads_);
-  const std::vector<SurfacePoint> at_ends = evaluate(surface_, ends, threads_);
-  evaluations_ += chords.size() * (1 + kHalvingsToEdge);
-  for (std::size_t k = 0; k < chords.size(); ++k) {
-    if (!is_seen(clip_, at_ends[k].position)) continue;
-    const EdgeChord& chord = *chords[k];
-    found.push_back({chord.leaf, distance_from_edge(chord, chord.triangles, ends[k], at_ends[k])});
-    found.back().uv = ends[k];
+  const auto ends_after = [&](int halvings) {
+    std::vector<Line> ways;
+    ways.reserve(numbers.size());
+    for (const std::size_t k : numbers) ways.push_back({chords_[k].middle, chords_[k].beyond});
+    const std::vector<dvec2> uv = last_defined(surface_, ways, halvings, threads_);
+    evaluations_ += ways.size() * (1 + static_cast<std::size_t>(halvings));
+    return std::pair(uv, evaluate(surface_, uv, threads_));
+  };
+  // A way to infinity leads away from the box.
+  std::size_t next = 0;
+  const std::vector<SurfacePoint> near = ends_after(kHalvingsToSight).second;
+  std::erase_if(numbers, [&](std::size_t k) {
+    const double before = distance_beyond(*clip_, at_middle[k].position);
+    return distance_beyond(*clip_, near[next++].position) > before;
+  });
+  const auto [uv, points] = ends_after(kHalvingsToEdge);
+  for (std::size_t i = 0; i < uv.size(); ++i) {
+    if (!is_seen(clip_, points[i].position)) continue;
+    const EdgeChord& chord = chords_[numbers[i]];
+    found.push_back({chord.leaf, distance_from_edge(chord, chord.triangles, uv[i], points[i])});
+    found.back().uv = uv[i];
   }
 }
 

@@ -101,7 +101,6 @@ class BoundaryDistance {
   void measure_chords(std::vector<LeafDistance>& found);
   void measure_beyond_box(std::span<const SurfacePoint> at_middle,
                           std::vector<LeafDistance>& found);
-  double distance_to_box(const dvec3& position) const;
   void measure_jumps(std::vector<LeafDistance>& found);
   void measure_omitted(std::vector<LeafDistance>& found);
 

@@ -111,8 +111,8 @@ std::array<dvec2, 2> nearest_approaches(const Line& line) {
 std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> lines, int halvings,
                                 unsigned threads, const std::optional<Bounds>& box) {
   std::vector<WayOut> ways;
-  for (const Line& line : lines) ways.emplace_back(line, box);
-  return leave(surface, std::move(ways), {halvings, threads});
+  for (const Line& line : lines) ways.emplace_back(line, halvings, box);
+  return leave(surface, std::move(ways), threads);
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "mesh/model/clip.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
@@ -36,7 +37,8 @@ double beyond_faces(const std::optional<Bounds>& box, const dvec3& p) {
 
 }  // namespace
 
-WayOut::WayOut(const Line& line, const std::optional<Bounds>& box) : line_(line), box_(box) {
+WayOut::WayOut(const Line& line, int halvings, const std::optional<Bounds>& box)
+    : line_(line), box_(box), looks_left_(halvings), part_(std::ldexp(1.0, -halvings)) {
   const dvec2 way = glm::abs(line[1] - line[0]);
   axis_ = way.x > way.y ? 0 : 1;
 }
@@ -45,14 +47,15 @@ dvec2 WayOut::next() const {
   // A line may begin at the face.
   if (!is_first_known_ && !std::isnan(beyond_[1])) return line_[0];
   const dvec2 middle = middle_or_zero(line_);
+  if (std::isnan(beyond_[0] + beyond_[1]) || !(width_ > 0)) return middle;
   const double least = least_share(line_);
-  if (std::isnan(beyond_[0] + beyond_[1]) || !(least < 0.5 && width_ > 0)) return middle;
+  if (!(least < 0.5)) return middle;
   const double share = share_of_zero(beyond_[0], beyond_[1], width_, widest_);
   const dvec2 place = line_[0] + std::clamp(share, least, 1 - least) * (line_[1] - line_[0]);
   return place == line_[0] || place == line_[1] ? middle : place;
 }
 
-bool WayOut::narrow(const dvec2& place, const dvec3& position, double part) {
+bool WayOut::narrow(const dvec2& place, const dvec3& position) {
   const std::size_t end = is_seen(box_, position) ? 0 : 1;
   const bool is_first = !is_first_known_ && place == line_[0] && end == 0;
   const bool is_last = !is_first && (place == line_[0] || place == line_[1]);
@@ -62,16 +65,13 @@ bool WayOut::narrow(const dvec2& place, const dvec3& position, double part) {
   line_[end] = place;
   beyond_[end] = beyond_faces(box_, position);
   is_first_known_ = is_first_known_ || end == 0;
-  return is_last || width_ < part;
+  return is_last || width_ < part_ || --looks_left_ == 0;
 }
 
-std::vector<dvec2> leave(const Surface& surface, std::vector<WayOut> ways, const Rounds& rounds) {
+std::vector<dvec2> leave(const Surface& surface, std::vector<WayOut> ways, unsigned threads) {
   std::vector<std::size_t> open = all_open(ways.size());
-  const double part = std::ldexp(1.0, -rounds.most);
-  bisect_together(surface, ways, open, rounds, std::mem_fn(&WayOut::next),
-                  [&](WayOut& way, const dvec2& place, const dvec3& position) {
-                    return way.narrow(place, position, part);
-                  });
+  bisect_together(surface, ways, open, {kHalvingsToLeast, threads}, std::mem_fn(&WayOut::next),
+                  std::mem_fn(&WayOut::narrow));
   std::vector<dvec2> last(ways.size());
   std::ranges::transform(ways, last.begin(), &WayOut::last_seen);
   return last;

@@ -17,14 +17,15 @@ namespace saddle {
 /// line is halved.
 class WayOut {
  public:
-  explicit WayOut(const Line& line, const std::optional<Bounds>& box = {});
+  /// It ends after so many looks, or where that many halvings leave more.
+  WayOut(const Line& line, int halvings, const std::optional<Bounds>& box);
 
   /// The place to look at next.
   dvec2 next() const;
 
-  /// Takes the position at next(). Returns whether the way ends: there were no doubles between the
-  /// ends, or less than `part` of it is left.
-  bool narrow(const dvec2& place, const dvec3& position, double part);
+  /// Takes the position at next(). Returns whether the way ends, at the latest where there are no
+  /// doubles between its ends.
+  bool narrow(const dvec2& place, const dvec3& position);
 
   /// The last place that is known to be seen.
   const dvec2& last_seen() const { return line_[0]; }
@@ -32,6 +33,8 @@ class WayOut {
  private:
   Line line_;
   std::optional<Bounds> box_;
+  int looks_left_;
+  double part_;                                  // of the whole line, at which it ends
   int axis_;                                     // along which the line is longer
   std::array<double, 2> beyond_ = {kNan, kNan};  // how far the ends are beyond the box
   bool is_first_known_ = false;                  // whether the first end has been looked at
@@ -39,8 +42,7 @@ class WayOut {
   double widest_ = 16;                           // what halving would have left four rounds before
 };
 
-/// The last places that are seen on ways, after so many rounds. Each round leaves half of a way or
-/// less; but chords may be four rounds behind.
-std::vector<dvec2> leave(const Surface& surface, std::vector<WayOut> ways, const Rounds& rounds);
+/// The last places that are seen on ways.
+std::vector<dvec2> leave(const Surface& surface, std::vector<WayOut> ways, unsigned threads);
 
 }  // namespace saddle

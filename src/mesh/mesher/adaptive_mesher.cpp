@@ -245,8 +245,10 @@ void AdaptiveMesher::refine(ActiveLeaves active, const SubdivisionGoal& goal) {
   } else {
     landmarks_.append_missed(active.leaves, active.counterexamples);
   }
+  const bool are_roots = active.are_roots;
   append(subdivide(std::move(active), oscillation(), limits_, goal, grid_, tree_));
-  if (has_forgotten_) give_back_free_memory();
+  // Leaves that are halved later take up again what is free.
+  if (has_forgotten_ && are_roots) give_back_free_memory();
   find_far_vertices();
   if (stops_early()) return;
   mirror_seams(seams_, request_.threads, grid_, tree_, points_);
@@ -257,7 +259,7 @@ void AdaptiveMesher::refine(ActiveLeaves active, const SubdivisionGoal& goal) {
   validation_.validate_new(std::move(changed));
   // Leaves have their own.
   if (has_forgotten_ && !grid_.mesh.triangles.empty()) grid_.forget_triangles();
-  if (has_forgotten_) give_back_free_memory();
+  if (has_forgotten_ && are_roots) give_back_free_memory();
   place_inner_vertices(first);
 }
 

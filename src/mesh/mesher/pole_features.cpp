@@ -69,10 +69,11 @@ std::vector<dvec2> leave_box(std::span<const PoleWay> ways, const TraceOptions& 
     Bounds box = *options.clip;
     box.add(tree.mesh().position[way.from]);
     const bool goes_on = box.contains(at_last[k].position);
-    out.emplace_back(
-        goes_on ? Line{way.last, way.beyond} : Line{tree.mesh().uv[way.from], way.last}, box);
+    const Line line =
+        goes_on ? Line{way.last, way.beyond} : Line{tree.mesh().uv[way.from], way.last};
+    out.emplace_back(line, kHalvingsToLeast, box);
   }
-  auto places = leave(tree.surface(), std::move(out), {kHalvingsToLeast, options.threads});
+  auto places = leave(tree.surface(), std::move(out), options.threads);
   const auto at_faces = evaluate(tree.surface(), places, options.threads);
   for (std::size_t k = 0; k < ways.size(); ++k) {
     if (!options.clip->contains(at_faces[k].position)) places[k] = tree.mesh().uv[ways[k].from];

@@ -30,6 +30,11 @@ inline bool is_seen(const std::optional<Bounds>& clip, const dvec3& position) {
   return is_finite(position) && (!clip || clip->contains(position));
 }
 
+/// The distance of a position from a clip box: 0 within it.
+inline double distance_beyond(const Bounds& clip, const dvec3& position) {
+  return glm::distance(position, glm::clamp(position, clip.low, clip.high));
+}
+
 /// Whether a corner of triangles of a mesh is outside of a clip box, if there is one.
 bool reach_outside(const std::optional<Bounds>& clip, const Mesh& mesh,
                    std::span<const Triangle> triangles);
