@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <glm/common.hpp>
 
@@ -10,6 +11,7 @@
 #include "base/random.h"
 #include "mesh/distance/crease_distance.h"
 #include "mesh/model/sample_places.h"
+#include "mesh/model/segment.h"
 #include "mesh/model/sides.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
@@ -40,6 +42,32 @@ Line line_across(const dvec2& part, const dvec2& along) {
   };
   const dvec2 way(-along.y, along.x);
   return {to_border(-way), to_border(way)};
+}
+
+/// A short side on the border of a leaf: the corners between which it lies, and the places straight
+/// across from it, half-way and on the opposite border, in sides of the leaf.
+struct ShortSide {
+  std::array<std::size_t, 2> corners;
+  std::array<dvec2, 2> places;
+};
+
+/// The side between two places on the border, if it is short.
+std::optional<ShortSide> short_side(const dvec2& a, const dvec2& b) {
+  const dvec2 way = glm::abs(b - a);
+  const int along = way.x > way.y ? 0 : 1;
+  if (!(way[along] <= kClose)) return std::nullopt;
+  const int across = 1 - along;
+  const bool is_high = a[across] > 0.5;
+  ShortSide side;
+  if (along == 0) {
+    side.corners = is_high ? std::array<std::size_t, 2>{3, 2} : std::array<std::size_t, 2>{0, 1};
+  } else {
+    side.corners = is_high ? std::array<std::size_t, 2>{1, 2} : std::array<std::size_t, 2>{0, 3};
+  }
+  side.places.fill(0.5 * (a + b));
+  side.places[0][across] = 0.5;
+  side.places[1][across] = is_high ? 0 : 1;
+  return side;
 }
 
 /// Whether another triangle lists a chord in a leaf. A diagonal is a side of two triangles. So is a
@@ -90,7 +118,7 @@ PlacesInLeaf validation_places(const Leaf& leaf) {
 }
 
 void PointPlacer::append(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
-                         std::vector<ValidationPoint>& samples) const {
+                         double allowed, std::vector<ValidationPoint>& samples) const {
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 high = tree_.vertices().parameters(leaf.high());
   // The largest error of a leaf that is aliased does not matter.
@@ -103,6 +131,7 @@ void PointPlacer::append(std::size_t number, const Leaf& leaf, std::span<const T
     }
   }
   if (!is_whole) append_sides(number, leaf, triangles, samples);
+  if (has_chords && is_whole) append_across(number, leaf, triangles, allowed, samples);
   if (has_chords) append_chords(number, leaf, triangles, samples);
 }
 
@@ -131,6 +160,31 @@ void PointPlacer::append_sides(std::size_t number, const Leaf& leaf,
       }
     }
   }
+}
+
+/// Points straight across a leaf from short sides on its border that stick out of it: half-way, and
+/// on the opposite border. Neighbours that are much smaller have followed a ridge or groove up to
+/// the leaf. The middles of triangles that fan out from there to another corner are beside it. Near
+/// edge features, neighbours are small for those.
+void PointPlacer::append_across(std::size_t number, const Leaf& leaf,
+                                std::span<const Triangle> triangles, double allowed,
+                                std::vector<ValidationPoint>& samples) const {
+  if (triangles.size() <= 2 || tree_.edges().may_be_crossed(leaf)) return;
+  const auto& position = grid_.mesh.position;
+  const dvec2 low = tree_.vertices().parameters(leaf.low);
+  const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
+  for_sides(leaf, tree_, [&](std::uint32_t from, std::uint32_t to) {
+    const dvec2 a = (grid_.mesh.uv[from] - low) / size;
+    const dvec2 b = (grid_.mesh.uv[to] - low) / size;
+    const std::optional<ShortSide> side = short_side(a, b);
+    if (!side) return;
+    const std::uint32_t first = leaf.samples.corner[side->corners[0]];
+    const std::uint32_t second = leaf.samples.corner[side->corners[1]];
+    const dvec3 middle = 0.5 * (position[from] + position[to]);
+    const double out = distance_from_segment(position[first], position[second], middle);
+    if (!(out > allowed)) return;
+    for (const dvec2& part : side->places) samples.push_back({number, low + part * size});
+  });
 }
 
 void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,

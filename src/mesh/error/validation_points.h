@@ -33,9 +33,9 @@ class PointPlacer {
  public:
   PointPlacer(const Grid& grid, const CellTree& tree) : grid_(grid), tree_(tree) {}
 
-  /// The points of a leaf of any triangles, which must outlive them.
+  /// The points of a leaf of any triangles, which must outlive them. `allowed`: its tolerance.
   void append(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
-              std::vector<ValidationPoint>& samples) const;
+              double allowed, std::vector<ValidationPoint>& samples) const;
   /// Points on cusps that are sides of the leaves of a mesh with these numbers.
   void append_singular_sides(const ValidatedMesh& mesh, std::span<const std::size_t> which,
                              std::vector<ValidationPoint>& samples) const;
@@ -43,6 +43,8 @@ class PointPlacer {
  private:
   void append_sides(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
                     std::vector<ValidationPoint>& samples) const;
+  void append_across(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
+                     double allowed, std::vector<ValidationPoint>& samples) const;
   void append_chords(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
                      std::vector<ValidationPoint>& samples) const;
 

@@ -154,7 +154,7 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
     const Leaf& leaf = mesh.leaves[which[k]];
     const std::span<const Triangle> of_leaf = triangles.of(k);
     mesh.sampled_errors[which[k]] = {};
-    placer_.append(k, leaf, of_leaf, samples);
+    placer_.append(k, leaf, of_leaf, mesh.allowed[which[k]], samples);
     const bool is_special = crosses_box(of_leaf) || leaf.state.is_on_boundary() || of_leaf.empty();
     if (is_special || leaf.state.is_cut_by_feature()) {
       const auto first = samples.begin() + static_cast<std::ptrdiff_t>(places.size());
