@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -121,11 +122,12 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   for (const SearchedLeaf& leaf : suspects.first(std::min(shared(kMostOpen), suspects.size())))
     parts.push_back(leaf.part);
   auto rest = std::span<const SearchedPart>(parts);
+  std::vector<PlacedError> in_parts;
   const auto follow = [&](const auto& may_go_on) {
     while (!rest.empty() && may_go_on()) {
       const auto some = rest.first(std::min(rest.size(), kMostFollowed));
       rest = rest.subspan(some.size());
-      features.dive(some);
+      std::ranges::copy(features.dive(some), std::back_inserter(in_parts));
     }
     return features.search(may_go_on() ? shared(kMostBoxes) : 0);
   };
@@ -135,8 +137,7 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   const auto may_be_worst = [&search](const SearchedLeaf& leaf) {
     return leaf.has_moved || leaf.error > search.worst().distance;
   };
-  // Others need be measured no better than the worst suspects tell. Without time or points only
-  // these are measured.
+  // Others need be known no better than the worst. Without time or points only these are measured.
   for (std::size_t next = 0, at_once = kMostFollowed; next < suspects.size();
        next += std::exchange(at_once, kInBatch)) {
     const auto some = suspects.subspan(next, std::min(at_once, suspects.size() - next));
@@ -152,6 +153,10 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   // A leaf that is off by its own triangles may be near others.
   const bool is_within = !(search.worst().distance > how.tolerance);
   if (is_within && !rest.empty()) search.take(follow([&] { return surface.may_go_on(); }), 1);
+  if (followed.distance > how.tolerance) {
+    const auto may_go_on = [&] { return surface.may_go_on() && !is_at_limit(); };
+    search.take(features.climb_on_lines(parts, in_parts, shared(kMostFollowed), may_go_on), 1);
+  }
   return search.worst();
 }
 

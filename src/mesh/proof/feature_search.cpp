@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 #include "base/numbers.h"
@@ -147,6 +148,56 @@ std::vector<PlacedError> FeatureSearch::dive(std::span<const SearchedPart> parts
     }
   }
   return found;
+}
+
+PlacedError FeatureSearch::climb_on_lines(std::span<const SearchedPart> parts,
+                                          std::span<const PlacedError> found, std::size_t most,
+                                          const std::function<bool()>& may_go_on) {
+  std::vector<std::size_t> order(found.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::ranges::greater(),
+                           [found](std::size_t k) { return found[k].distance; });
+  order.resize(std::min(order.size(), most));
+  std::erase_if(order, [found](std::size_t k) { return !(found[k].distance > 0); });
+  for (auto rest = std::span<const std::size_t>(order); !rest.empty();) {
+    std::vector<Climb> climbs;
+    const auto some = rest.first(std::min(rest.size(), kFirstSearched));
+    rest = rest.subspan(some.size());
+    for (const std::size_t k : some) {
+      const dvec2 step = kClose * parts[k].box.size();
+      for (const int axis : {0, 1}) climbs.push_back({&parts[k], axis, found[k], step[axis]});
+    }
+    climb(climbs, may_go_on);
+  }
+  return worst_;
+}
+
+void FeatureSearch::climb(std::span<Climb> climbs, const std::function<bool()>& may_go_on) {
+  const ParameterBox domain = box_of(surface_.domain);
+  for (int round = 0; round < kHalvingsToNearly && may_go_on(); ++round) {
+    std::vector<SearchedPart> lines;
+    for (const Climb& climb : climbs) {
+      for (const double way : {-climb.step, climb.step}) {
+        lines.push_back(*climb.part);
+        lines.back().sticks_out = false;
+        dvec2 reach = climb.part->box.size();
+        dvec2 middle = climb.best.uv;
+        middle[climb.axis] += way;
+        reach[climb.axis] = 0;
+        lines.back().box = {nearest_in(domain, middle - reach), nearest_in(domain, middle + reach)};
+      }
+    }
+    const std::vector<PlacedError> on_lines = dive(lines);
+    open_.clear();
+    for (std::size_t k = 0; k < climbs.size(); ++k) {
+      Climb& climb = climbs[k];
+      const double before = climb.best.distance;
+      for (const PlacedError& on_line : std::span(on_lines).subspan(2 * k, 2)) {
+        if (on_line.distance > climb.best.distance) climb.best = on_line;
+      }
+      climb.step *= climb.best.distance > before ? 2 : 0.5;
+    }
+  }
 }
 
 PlacedError FeatureSearch::search(std::size_t boxes) {

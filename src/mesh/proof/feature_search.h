@@ -57,6 +57,14 @@ class FeatureSearch {
   /// outlive this.
   std::vector<PlacedError> dive(std::span<const SearchedPart> parts);
 
+  /// Climbs from the parts in which the largest distances were found, on lines across them: from
+  /// up to `most`, 8 at a time, as long as it may go on. A ridge that crosses a part aslant is too
+  /// narrow for single places to follow it. `found`: what dive() found in the first of the parts.
+  /// Returns the largest scaled distance of all, and drops what search() would test.
+  PlacedError climb_on_lines(std::span<const SearchedPart> parts,
+                             std::span<const PlacedError> found, std::size_t most,
+                             const std::function<bool()>& may_go_on);
+
   /// Tests the other halves of all dives, the largest bounds first, up to a number of boxes.
   /// Returns the largest scaled distance of all.
   PlacedError search(std::size_t boxes);
@@ -73,6 +81,14 @@ class FeatureSearch {
     dvec2 uv;
     double known;
   };
+  /// A climb along an axis, on lines along the other one.
+  struct Climb {
+    const SearchedPart* part;
+    int axis;
+    PlacedError best;
+    double step;
+  };
+  void climb(std::span<Climb> climbs, const std::function<bool()>& may_go_on);
   double bound_over(const SearchedPart& part, const ParameterBox& box);
   std::array<Node, 2> halves(const Node& node);
   void keep(const Node& node);
