@@ -593,12 +593,12 @@ std::vector<std::size_t> AdaptiveMesher::find_jumping(std::span<const std::uint3
 /// Removes leaves from the mesh. The counterexamples' cells become indices of the active leaves.
 ActiveLeaves AdaptiveMesher::activate(const std::set<std::size_t>& numbers,
                                       std::vector<Counterexample> counterexamples) {
+  const std::vector<std::size_t> removed(numbers.begin(), numbers.end());
   for (Counterexample& counterexample : counterexamples) {
-    const auto place = numbers.find(counterexample.cell);
-    counterexample.cell = static_cast<std::size_t>(std::distance(numbers.begin(), place));
+    const auto place = std::ranges::lower_bound(removed, counterexample.cell);
+    counterexample.cell = static_cast<std::size_t>(place - removed.begin());
   }
   ActiveLeaves active{{}, std::move(counterexamples)};
-  const std::vector<std::size_t> removed(numbers.begin(), numbers.end());
   for (const std::size_t k : removed) active.leaves.push_back(mesh_.leaves[k]);
   mesh_.remove(removed);
   return active;
