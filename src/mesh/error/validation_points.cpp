@@ -164,8 +164,8 @@ void PointPlacer::append_sides(std::size_t number, const Leaf& leaf,
 
 /// Points straight across a leaf from short sides on its border that stick out of it: half-way, and
 /// on the opposite border. Neighbours that are much smaller have followed a ridge or groove up to
-/// the leaf. The middles of triangles that fan out from there to another corner are beside it. Near
-/// edge features, neighbours are small for those.
+/// the leaf. The middles of triangles that fan out from there to another corner are beside it.
+/// Beside edge features, neighbours are small because of those: such leaves are left out.
 void PointPlacer::append_across(std::size_t number, const Leaf& leaf,
                                 std::span<const Triangle> triangles, double allowed,
                                 std::vector<ValidationPoint>& samples) const {

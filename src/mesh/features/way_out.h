@@ -17,7 +17,7 @@ namespace saddle {
 /// line is halved.
 class WayOut {
  public:
-  /// It ends after so many looks, or where that many halvings leave more.
+  /// The way ends after so many looks, or once less of it is left than so many halvings leave.
   WayOut(const Line& line, int halvings, const std::optional<Bounds>& box);
 
   /// The place to look at next.
