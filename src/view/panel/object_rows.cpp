@@ -101,9 +101,7 @@ bool more() {
 
 /// `u -1 to 1`
 void range_field(Desk& desk, const std::string& name, const std::string& what, bool wrong,
-                 const std::function<Range&(Scene&)>& range_in) {
-  Scene scene = desk.scene();
-  const Range range = range_in(scene);
+                 const Range& range, const std::function<Range&(Scene&)>& range_in) {
   ImGui::PushID(name.c_str());
   show_name(name);
   const float half = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFontSize()) / 2;
@@ -116,8 +114,9 @@ void range_field(Desk& desk, const std::string& name, const std::string& what, b
   const auto max = bare_field("##max", range.max, 0, wrong);
   ImGui::PopID();
   if (!min && !max) return;
-  range_in(scene) = {min.value_or(range.min), max.value_or(range.max)};
-  desk.model.edit(std::move(scene), what);
+  desk.edit(what, [&](Scene& scene) {
+    range_in(scene) = {min.value_or(range.min), max.value_or(range.max)};
+  });
 }
 
 void show_surface(Desk& desk, std::size_t i) {
@@ -136,7 +135,7 @@ void show_surface(Desk& desk, std::size_t i) {
     formula("z", &SurfaceSpec::z);
   }
   const auto range = [&](const std::string& name, Range SurfaceSpec::*ends) {
-    range_field(desk, name, spec.name + name, desk.is_wrong(name, i),
+    range_field(desk, name, spec.name + name, desk.is_wrong(name, i), spec.*ends,
                 [i, ends](Scene& scene) -> Range& { return scene.surfaces[i].*ends; });
   };
   range(spec.parameters[0], &SurfaceSpec::u);
@@ -185,7 +184,7 @@ void show_curve(Desk& desk, std::size_t i) {
     formula("y", &CurveSpec::y);
     formula("z", &CurveSpec::z);
   }
-  range_field(desk, "s", curve.name + "s", desk.is_wrong("s", place),
+  range_field(desk, "s", curve.name + "s", desk.is_wrong("s", place), curve.s,
               [i](Scene& scene) -> Range& { return scene.curves[i].s; });
   if (!more()) return;
   nodes_field(
