@@ -113,7 +113,7 @@ bool Drawing::draw(const Model& model) {
   if (is_stale) {
     draw_whole(model);
   } else {
-    refine(model, begin);
+    refine(model);
   }
   const auto end = Clock::now();
   spent_ += end - begin;
@@ -175,17 +175,19 @@ void Drawing::adapt(double milliseconds) {
   if (4 * milliseconds < kSlowMs && per_side_ < 2) per_side_ *= 2;
 }
 
-/// Some parts of the picture, from the top, with all of their samples.
-bool Drawing::refine(const Model& model, Clock::time_point begin) {
+/// Some parts of the picture, from the top, with all of their samples. The turn begins when the
+/// scene is there: one that takes a whole turn to copy would never get on.
+bool Drawing::refine(const Model& model) {
   const PictureSettings& picture = model.scene().picture;
   const Scene scene = model.drawn_scene();
   const FittedCamera camera = model.grip().fitted;
   Look look = model.look();
-  const auto is_over = [begin] { return Clock::now() > begin + kTurn; };
+  const auto end = Clock::now() + kTurn;
+  const auto is_over = [end] { return Clock::now() > end; };
   stage_ = Stage::Refining;
   while (cursor_.y < picture.height) {
     const auto start = Clock::now();
-    if (start > begin + kTurn) return false;
+    if (start > end) return false;
     const PixelRect part = next_part(picture);
     look.interruption = {is_over, false, cursor_.is_begun};
     cursor_.is_begun = !canvas_.draw_part(renderer_, {scene, camera, look}, part);

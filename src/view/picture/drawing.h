@@ -96,7 +96,7 @@ class Drawing {
   void make_marks(const Model& model);
   void draw_whole(const Model& model);
   void adapt(double milliseconds);
-  bool refine(const Model& model, Clock::time_point begin);
+  bool refine(const Model& model);
   PixelRect next_part(const PictureSettings& picture) const;
   void advance(const PixelRect& part, const PictureSettings& picture);
   int finest(const Model& model) const;
