@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -39,14 +40,14 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
     // Chords may be beyond the box. They count on the way to a pole, where the edge may be in it.
     if (!has_cut(FeatureKind::Face, leaf, tree_) || leaf.state.cut() != LeafCut::Boundary) return;
     const std::size_t first = chords_.size();
-    add_chords(leaf, number, triangles, FeatureKind::Boundary);
+    add_chords(leaf, number, triangles, FeatureKind::Boundary, allowed);
     for (EdgeChord& chord : std::span(chords_).subspan(first)) chord.is_outward = true;
     return;
   }
   const bool is_cut = leaf.state.is_cut_by_feature();
   if (is_cut && has_cut(FeatureKind::Cliff, leaf, tree_)) {
     delta_ = std::min(delta_, allowed);
-    return add_chords(leaf, number, triangles, FeatureKind::Cliff);
+    return add_chords(leaf, number, triangles, FeatureKind::Cliff, allowed);
   }
   if (is_cut && has_cut(FeatureKind::Jump, leaf, tree_))
     return add_at_jump(leaf, number, triangles, allowed);
@@ -56,7 +57,7 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
   } else if (triangles.empty()) {
     add_omitted(leaf, number);
   } else {
-    add_chords(leaf, number, triangles, FeatureKind::Boundary);
+    add_chords(leaf, number, triangles, FeatureKind::Boundary, allowed);
   }
 }
 
@@ -114,17 +115,8 @@ void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
         const dvec2 at = on_chord(ends, share);
         // Counter-clockwise, the leaf is to the left.
         const dvec2 beyond = low + size * border_of_square(start, {-along.y, along.x});
-        chords_.push_back({number,
-                           {},
-                           {},
-                           ends,
-                           at,
-                           at,
-                           at,
-                           beyond,
-                           std::nullopt,
-                           false,
-                           share != kMiddleOfLine[0]});
+        chords_.push_back({number, {}, {}, ends, at, at, at, beyond, std::nullopt, false});
+        chords_.back().is_outward = share != kMiddleOfLine[0];
       }
     }
     stretch.clear();
@@ -154,7 +146,8 @@ std::vector<BoundaryDistance::OuterSide> BoundaryDistance::outer_chords(
 }
 
 void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
-                                  std::span<const Triangle> triangles, FeatureKind kind) {
+                                  std::span<const Triangle> triangles, FeatureKind kind,
+                                  double allowed) {
   const bool is_jump = kind != FeatureKind::Boundary;
   const bool is_cliff = kind == FeatureKind::Cliff;
   // Ways through the places on a jump are not straight across: the largest distance is predicted.
@@ -182,6 +175,7 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
     for (const Triangle& other : sheet)
       placed.push_back({other, {place(other[0]), place(other[1]), place(other[2])}});
     for (const auto& [a, b, opposite, outward] : sides) {
+      if (!is_jump) beyond_.add({low, low + size}, number, triangles, {a, b, opposite}, allowed);
       for (const double share : places) {
         const dvec2 at = glm::mix(place(a), place(b), share);
         // A jump is looked for from a corner, which is on the sheet, through the place.
@@ -227,19 +221,19 @@ std::optional<dvec2> BoundaryDistance::outside_of(const Leaf& leaf, std::span<co
   if (is_shared) return std::nullopt;
   const dvec2 reach = way / std::max(std::fabs(way.x), std::fabs(way.y));
   const dvec2 outside = low + size * (border + reach);
-  const bool is_inside = nearest_in(box_of(surface_.domain), outside) == outside;
-  return is_inside ? std::optional(outside) : std::nullopt;
+  if (nearest_in(box_of(surface_.domain), outside) != outside) return std::nullopt;
+  return outside;
 }
 
 std::vector<LeafDistance> BoundaryDistance::measure() {
   std::vector<LeafDistance> found = strips_.measure();
   evaluations_ += strips_.evaluations();
   if (!chords_.empty()) measure_chords(found);
+  std::ranges::copy(beyond_.measure(), std::back_inserter(found));
   if (!jumps_.empty()) measure_jumps(found);
-  const auto at_strips = close_jumps_.measure(delta_);
-  found.insert(found.end(), at_strips.begin(), at_strips.end());
+  std::ranges::copy(close_jumps_.measure(delta_), std::back_inserter(found));
   evaluations_ += close_jumps_.evaluations();
-  looks_ += close_jumps_.looks();
+  looks_ += beyond_.looks() + close_jumps_.looks();
   if (!omitted_.empty()) measure_omitted(found);
   return found;
 }
@@ -310,8 +304,8 @@ bool BoundaryDistance::is_beyond(const EdgeChord& chord, const dvec2& uv) {
 /// The surface's boundary may be on either side of its chord: the mesh covers too much or too
 /// little. All that is between chord and boundary is an error.
 void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
-  std::vector<dvec2> middles;
-  for (const EdgeChord& chord : chords_) middles.push_back(chord.middle);
+  std::vector<dvec2> middles(chords_.size());
+  std::ranges::transform(chords_, middles.begin(), &EdgeChord::middle);
   const std::vector<SurfacePoint> at_middle = evaluate(surface_, middles, threads_);
   std::vector<Line> ways = ways_to_boundary(at_middle);
   end_in_gaps(surface_, ways, threads_, clip_, looks_);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/distance/beyond_chords.h"
 #include "mesh/distance/close_jump_distance.h"
 #include "mesh/distance/strip_distance.h"
 #include "mesh/features/sheet_ends.h"
@@ -32,6 +33,7 @@ class BoundaryDistance {
         clip_(clip),
         threads_(threads),
         strips_(surface, grid, tree, clip, threads),
+        beyond_(surface, grid, clip, threads),
         close_jumps_(surface, grid, tree, threads) {}
 
   /// Adds a leaf with its triangles, which must outlive this, and its tolerance. Skips leaves
@@ -67,7 +69,7 @@ class BoundaryDistance {
     bool is_at_slight_jump = false;
   };
   void add_chords(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
-                  FeatureKind kind);
+                  FeatureKind kind, double allowed);
   /// A side of a triangle, its corner across, and the way from that straight to the side.
   struct OuterSide {
     std::uint32_t a;
@@ -110,6 +112,7 @@ class BoundaryDistance {
   const std::optional<Bounds>& clip_;
   unsigned threads_;
   StripDistance strips_;
+  BeyondChords beyond_;
   CloseJumpDistance close_jumps_;
   std::vector<EdgeChord> chords_;  ///< of boundaries
   std::vector<EdgeChord> jumps_;

@@ -39,7 +39,7 @@ void BoundaryDistance::add_at_jump(const Leaf& leaf, std::size_t number,
   if (triangles.empty()) return add_omitted(leaf, number);
   if (close_jumps_.add(leaf, number, triangles)) return;
   const std::size_t first = jumps_.size();
-  add_chords(leaf, number, triangles, FeatureKind::Jump);
+  add_chords(leaf, number, triangles, FeatureKind::Jump, allowed);
   const bool is_slight = has_slight_jump(leaf, allowed);
   for (EdgeChord& chord : std::span(jumps_).subspan(first)) chord.is_at_slight_jump = is_slight;
 }

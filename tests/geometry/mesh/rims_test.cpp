@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string>
 
 #include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
@@ -44,6 +45,19 @@ TEST(Rims, AreRightWhereTheyTouchTheEdgeOfTheDomain) {
     const MeshResult result = mesh_of_rim("sqrt(1-u^2-v^2)", 5e-4, lines);
     EXPECT_LE(off_hemisphere(result.mesh), *result.report.tolerance) << lines;
     EXPECT_EQ(euler_number(result.mesh), 1) << lines;
+  }
+}
+
+TEST(Rims, AreMeshedToTheTipsOfCusps) {
+  for (const double a : {0.0, 0.013, -0.021, 0.34}) {
+    const std::string from = std::to_string(a);
+    const MeshResult result =
+        mesh_of_rim(("((u-" + from + ")^3-(v-" + from + ")^2)^(2/3)").c_str(), 1e-3, 16);
+    const TriangleTree tree(result.mesh);
+    double worst = 0;
+    for (double t = -0.5; t <= 0.5; t += 1e-3)
+      worst = std::max(worst, tree.distance({a + t * t, a + t * t * t, 0}));
+    EXPECT_LE(worst, 1.02 * *result.report.tolerance) << a;
   }
 }
 
