@@ -14,6 +14,7 @@
 #include "mesh/model/sides.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/feature_count.h"
 
 namespace saddle {
 

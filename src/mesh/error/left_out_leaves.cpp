@@ -26,7 +26,7 @@ std::vector<dvec2> places_around(const Leaf& leaf, const CellTree& tree) {
       if (is_cut || tree.edges().has_more(a, b)) cut.push_back(end);
     }
   });
-  std::vector<dvec2> places;
+  std::vector<dvec2> places;  // in their order around the leaf
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     if (const auto between = tree.edges().between_features(a, b)) places.push_back(*between);
     const auto feature = tree.edges().feature(a, b);
@@ -41,6 +41,14 @@ std::vector<dvec2> places_around(const Leaf& leaf, const CellTree& tree) {
     }
   });
   return places;
+}
+
+/// Adds the middles between places across the leaf from each other: a strip that crosses a leaf may
+/// be on its sides where others have triangles, and be far from them inside. Between places along
+/// a jump, the surface may have a value of its own.
+void append_middles(std::vector<dvec2>& places) {
+  const std::size_t across = places.size() / 2;
+  for (std::size_t k = 0; k < across; ++k) places.push_back(0.5 * (places[k] + places[k + across]));
 }
 
 std::vector<Triangle> triangles_of_others(const ValidatedMesh& mesh) {
@@ -65,6 +73,7 @@ std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
     if (!mesh.leaves[k].state.is_too_small()) continue;
     result.push_back({k, {}});
     places.push_back(places_around(mesh.leaves[k], tree));
+    if (!has_cut(FeatureKind::Jump, mesh.leaves[k], tree)) append_middles(places.back());
     all_places.insert(all_places.end(), places.back().begin(), places.back().end());
   }
   if (result.empty()) return result;

@@ -19,8 +19,9 @@ struct LeftOutLeaf {
   PlacedError farthest;
 };
 
-/// Measures the sheets in all leaves that are too small for triangles, where they meet the sides,
-/// from the triangles of the other leaves. Places outside of `clip` have no error.
+/// Measures the sheets in all leaves that are too small for triangles, where they meet the sides
+/// and half way across, from the triangles of the other leaves. Places outside of `clip` have no
+/// error.
 std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
                                           const std::optional<Bounds>& clip, unsigned threads,
                                           const CellTree& tree);

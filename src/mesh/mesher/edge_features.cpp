@@ -210,9 +210,11 @@ class FeatureTracer {
   }
 
   void find_creases_in(std::vector<Side> sides) {
-    // A turn of the normal at a singular point is no crease.
+    // A turn of the normal at a singular point is no crease. A thin strip has a vertex on its
+    // crest, and no crease beside it: few of the sides that it crosses would show one.
     std::erase_if(sides, [&](const Side& side) {
-      return !tree_.geometry().is_regular(side[0]) || !tree_.geometry().is_regular(side[1]);
+      return tree_.thin().contains(side[0]) || tree_.thin().contains(side[1]) ||
+             !tree_.geometry().is_regular(side[0]) || !tree_.geometry().is_regular(side[1]);
     });
     if (sides.empty()) return;
     std::vector<Line> lines(sides.size());

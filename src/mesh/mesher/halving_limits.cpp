@@ -27,6 +27,7 @@ int boundary_halvings(const Leaf& leaf, const CellTree& tree) {
 }
 
 int wanted_halvings(const FeatureCount& features) {
+  if (features.is_crease_in_strip()) return 0;
   if (!features.is_through() &&
       (features.only_creases || features.leads_to_pole || !features.only_jumps)) {
     return kMostCutHalvings;

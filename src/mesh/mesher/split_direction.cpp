@@ -99,7 +99,8 @@ bool SplitDirection::is_cut_unclearly(std::size_t number) const {
   if (features.has_cliffs && !features.is_through())
     return leaf.state.may_be_halved() && !has_unsearched_side(leaf, tree_) &&
            !(features.features == 1 && goes_on_in_sides(leaf, tree_)) && !is_too_small_to_see(leaf);
-  if (!features.only_jumps) return leaf.state.may_be_halved() && !features.is_through();
+  if (!features.only_jumps)
+    return leaf.state.may_be_halved() && !features.is_through() && !features.is_crease_in_strip();
   const bool may_overlap = !features.is_through() || tree_.inner().has(leaf);
   return features.has_more || (may_overlap && !covers_leaf(leaf, tree_));
 }

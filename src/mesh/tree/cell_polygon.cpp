@@ -89,6 +89,7 @@ class Cutter {
     // A crease that ends in the leaf leaves it whole. A jump or a pole would make a wall.
     if (cuts_ == 1 && creases_.empty()) return {};
     if (cuts_ > boundaries_ && faces_ % 2 == 1) return {};  // so would a pole that leaves unnoticed
+    if (cuts_ == boundaries_ + 1 && creases_.size() == 1) join_at_crease_in_strip();
     if (cuts_ > 0) join_ends();
     const bool is_parted = lines_ > 1 || thin_gaps_ > 0 || (faces_ > 0 && has_opposite_gaps);
     if (cuts_ == boundaries_ && !is_parted && (has_middle || is_thin_strip())) join_runs();
@@ -201,6 +202,23 @@ class Cutter {
       for (const std::uint32_t vertex : feature.on_strip(k, from))
         creases_.push_back(corner(vertex));
     }
+  }
+
+  /// Takes back the cut at the only crease, if there is a thin strip, whose creases are not known.
+  void join_at_crease_in_strip() {
+    if (std::ranges::none_of(runs_, &Run::is_thin)) return;
+    const auto begins = [&](const Run& run) {
+      return !run.polygon.empty() && run.polygon.front().place == creases_.front().place;
+    };
+    const auto next = std::ranges::find_if(runs_, begins);
+    if (next == runs_.begin() || next == runs_.end()) return;
+    Run& before = *std::prev(next);
+    before.polygon.insert(before.polygon.end(), next->polygon.begin(), next->polygon.end());
+    before.goes_far = before.goes_far || next->goes_far;
+    before.is_thin = before.is_thin || next->is_thin;
+    runs_.erase(next);
+    creases_.clear();
+    --cuts_;
   }
 
   /// The cell polygon is closed: its first run continues its last.
@@ -328,23 +346,6 @@ std::uint32_t count_polygon_vertices(const Leaf& leaf, const CellTree& tree) {
   std::uint32_t count = 0;
   for_sides(leaf, tree, [&](std::uint32_t, std::uint32_t) { ++count; });
   return count;
-}
-
-bool has_thin_vertex(const Leaf& leaf, const CellTree& tree) {
-  bool has = false;
-  if (!tree.thin().any()) return false;
-  for_sides(leaf, tree,
-            [&](std::uint32_t a, std::uint32_t) { has = has || tree.thin().contains(a); });
-  return has;
-}
-
-bool has_thin_strip(const Leaf& leaf, const CellTree& tree) {
-  bool has = false;
-  if (!tree.thin().any()) return false;
-  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t) {
-    has = has || (tree.thin().contains(a) && tree.geometry().is_defined(a));
-  });
-  return has;
 }
 
 std::array<dvec3, 4> corner_positions(const Leaf& leaf, const CellTree& tree) {

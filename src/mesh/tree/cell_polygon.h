@@ -15,11 +15,6 @@ namespace saddle {
 /// The number of vertices of the cell polygon.
 std::uint32_t count_polygon_vertices(const Leaf& leaf, const CellTree& tree);
 
-/// Whether a vertex of the cell polygon lies in a thin part of a side.
-bool has_thin_vertex(const Leaf& leaf, const CellTree& tree);
-/// Whether one of them is defined: a strip of the surface enters the leaf there.
-bool has_thin_strip(const Leaf& leaf, const CellTree& tree);
-
 /// The positions of a leaf's corners, counter-clockwise in (u, v).
 std::array<dvec3, 4> corner_positions(const Leaf& leaf, const CellTree& tree);
 

@@ -35,6 +35,23 @@ bool has_cut(FeatureKind kind, const Leaf& leaf, const CellTree& tree) {
   return has_cut;
 }
 
+bool has_thin_vertex(const Leaf& leaf, const CellTree& tree) {
+  bool has = false;
+  if (!tree.thin().any()) return false;
+  for_sides(leaf, tree,
+            [&](std::uint32_t a, std::uint32_t) { has = has || tree.thin().contains(a); });
+  return has;
+}
+
+bool has_thin_strip(const Leaf& leaf, const CellTree& tree) {
+  bool has = false;
+  if (!tree.thin().any()) return false;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t) {
+    has = has || (tree.thin().contains(a) && tree.geometry().is_defined(a));
+  });
+  return has;
+}
+
 bool is_cusp(std::uint32_t a, std::uint32_t b, const CellTree& tree) {
   const auto& point = tree.mesh().point;
   return tree.geometry().is_defined(a) && tree.geometry().is_defined(b) &&
@@ -109,6 +126,7 @@ class FacesAround {
 };
 
 void add_kind(const EdgeFeature& feature, FeatureCount& count) {
+  if (feature.kind == FeatureKind::Crease) ++count.creases;
   count.has_cliffs = count.has_cliffs || feature.kind == FeatureKind::Cliff;
   count.only_creases = count.only_creases && feature.kind == FeatureKind::Crease;
   count.is_continuous = count.is_continuous && feature.is_continuous();
@@ -151,6 +169,7 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
     count.has_more = count.has_more || (lines.have_strips() && count.lines == 0);
   }
   count.changes_face = faces.change();
+  count.is_thin_strip = count.creases == 1 && has_thin_strip(leaf, tree);
   count.singular_points = singular.size();
   if (count.features > 2) count.at_vertices = count_cut_vertices(leaf, tree);
   return count;

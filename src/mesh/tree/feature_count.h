@@ -24,6 +24,11 @@ bool is_wide_strip(const EdgeFeature& feature, std::size_t strip, const Side& si
 /// Whether a side of a leaf has a feature of this kind.
 bool has_cut(FeatureKind kind, const Leaf& leaf, const CellTree& tree);
 
+/// Whether a vertex of the cell polygon lies in a thin part of a side.
+bool has_thin_vertex(const Leaf& leaf, const CellTree& tree);
+/// Whether one of them is defined: a strip of the surface enters the leaf there.
+bool has_thin_strip(const Leaf& leaf, const CellTree& tree);
+
 /// The features and singular points around a leaf.
 struct FeatureCount {
   std::size_t features = 0;
@@ -33,6 +38,8 @@ struct FeatureCount {
   std::size_t at_ends_of_u = 0, at_ends_of_v = 0;
   std::size_t at_vertices = 0;  ///< pairs of features at one vertex, on both of its sides
   std::size_t singular_points = 0;
+  std::size_t creases = 0;     ///< among the features
+  bool is_thin_strip = false;  ///< a thin strip enters the leaf, and `creases` is 1
   /// Whether the surface leaves the clip box through another face at the other end of a pole's
   /// line, as where v/u changes its sign, or the line ends in the leaf.
   bool changes_face = false;
@@ -60,6 +67,10 @@ struct FeatureCount {
     return (at_ends_of_u > 0 && inner_u == 0 && inner_v > 0) ||
            (at_ends_of_v > 0 && inner_v == 0 && inner_u > 0);
   }
+
+  /// Whether the only crease ends in the leaf, beside a strip too thin for others: it parts
+  /// nothing.
+  bool is_crease_in_strip() const { return creases == 1 && is_thin_strip && !leads_to_pole; }
 
   /// Whether a line goes through the leaf, or several side by side, so that sub_polygons() yields
   /// one more. A vertex on a jump may have a value of its own, as sign(0) is 0: the line then cuts

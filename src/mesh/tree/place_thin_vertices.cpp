@@ -1,6 +1,7 @@
 #include "mesh/tree/place_thin_vertices.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -8,8 +9,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/numbers.h"
 #include "mesh/features/approach.h"
 #include "mesh/features/thin_parts.h"
+#include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
@@ -24,6 +27,18 @@ struct PlacedSide {
   std::array<DyadicPoint, 2> places;
   std::uint32_t middle = SampleVertices::kUnasked;  ///< of a whole side of a leaf
 };
+
+/// A place in a thin part, and how near to its position in space that of a vertex is to be.
+struct Target {
+  dvec2 uv;
+  dvec3 position{0};
+  double near = kInfinity;
+};
+
+/// How far the middle of three points is from the others' middle.
+double fall_beside(std::span<const dvec3, 3> points) {
+  return glm::distance(points[1], 0.5 * (points[0] + points[2]));
+}
 
 DyadicPoint middle_of(const DyadicPoint& a, const DyadicPoint& b) {
   return {a.u / 2 + b.u / 2 + (a.u % 2 + b.u % 2) / 2, a.v / 2 + b.v / 2 + (a.v % 2 + b.v % 2) / 2};
@@ -87,12 +102,13 @@ class ThinVertexPlacer {
     auto found = find_thin_parts(tree_.surface(), lines, threads_, work);
     drop_narrow_gaps(lines, found, work);
     std::vector<PlacedSide> thin;
-    std::vector<dvec2> targets;
+    std::vector<Target> targets;
     for (std::size_t k = 0; k < found.size(); ++k) {
       if (!found[k]) continue;
       thin.push_back(sides[k]);
-      targets.push_back(*found[k]);
+      targets.push_back({*found[k]});
     }
+    aim_at_crests(thin, targets, work);
     const std::vector<int> depths = depths_of(thin, targets, work);
     tree_.effort().looks() += work;
     std::vector<std::uint32_t> last;
@@ -100,7 +116,7 @@ class ThinVertexPlacer {
     for (std::size_t k = 0; k < thin.size(); ++k) {
       if (depths[k] == 0) continue;
       was_defined.push_back(is_defined(thin[k]));
-      last.push_back(use_middles(thin[k], targets[k], depths[k]));
+      last.push_back(use_middles(thin[k], targets[k].uv, depths[k]));
     }
     tree_.geometry().evaluate(threads_);
     for (std::size_t k = 0; k < last.size(); ++k) {
@@ -129,6 +145,40 @@ class ThinVertexPlacer {
     }
   }
 
+  /// Moves the targets in strips that have a crest along their middle there: of the way between
+  /// their edges, the surface falls as fast on the first sixteenth beside it as farther away.
+  void aim_at_crests(std::span<const PlacedSide> sides, std::span<Target> targets,
+                     std::size_t& work) const {
+    std::vector<std::size_t> strips;
+    std::vector<Line> ways;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (is_defined(sides[k])) continue;
+      strips.push_back(k);
+      for (const std::uint32_t end : sides[k].ends)
+        ways.push_back({targets[k].uv, tree_.mesh().uv[end]});
+    }
+    const auto edges = last_defined(tree_.surface(), ways, kHalvingsToNearly, threads_);
+    std::vector<dvec2> uv;
+    for (std::size_t i = 0; i < edges.size(); i += 2) {
+      for (const double part : {1.0, kFarApart}) {
+        for (const double share : kAlongLine)
+          uv.push_back(glm::mix(edges[i], edges[i + 1], 0.5 + part * (share - 0.5)));
+      }
+    }
+    const std::vector<dvec3> points = evaluate_positions(tree_.surface(), uv, threads_);
+    work += kHalvingsToNearly * edges.size() + points.size();
+    for (std::size_t i = 0; i < strips.size(); ++i) {
+      const auto all = std::span(points).subspan(6 * i, 6);
+      const double fall = fall_beside(all.first<3>());
+      const double fall_near = fall_beside(all.last<3>());
+      const double allowed = kUnnoticed * tolerance_(all[1]);
+      // In proportion to the way, or to its square: a smooth surface does not fall at first.
+      const double between = kFarApart * std::sqrt(kFarApart);
+      if (fall > allowed && fall_near > between * fall)
+        targets[strips[i]] = {uv[6 * i + 1], all[1], allowed};
+    }
+  }
+
   /// Replaces a side by its half toward a target.
   DyadicPoint halve_toward(const dvec2& target, std::array<DyadicPoint, 2>& places,
                            std::size_t* replaced = nullptr) const {
@@ -144,7 +194,7 @@ class ThinVertexPlacer {
 
   /// Halvings of each side toward its target that lead to a vertex in the thin part; 0: none does.
   std::vector<int> depths_of(const std::vector<PlacedSide>& sides,
-                             const std::vector<dvec2>& targets, std::size_t& work) const {
+                             const std::vector<Target>& targets, std::size_t& work) const {
     std::vector<int> depths(sides.size(), 0);
     std::vector<std::size_t> open;
     std::vector<std::array<DyadicPoint, 2>> places;
@@ -157,7 +207,7 @@ class ThinVertexPlacer {
       std::vector<dvec2> uv;
       for (const std::size_t k : open) {
         const std::array<DyadicPoint, 2> before = places[k];
-        const DyadicPoint middle = halve_toward(targets[k], places[k]);
+        const DyadicPoint middle = halve_toward(targets[k].uv, places[k]);
         if (middle == before[0] || middle == before[1]) continue;
         next.push_back(k);
         uv.push_back(tree_.vertices().parameters(middle));
@@ -166,11 +216,11 @@ class ThinVertexPlacer {
       work += points.size();
       open.clear();
       for (std::size_t i = 0; i < next.size(); ++i) {
-        if (is_finite(points[i].position) != is_defined(sides[next[i]])) {
-          depths[next[i]] = depth;
-        } else {
-          open.push_back(next[i]);
-        }
+        const std::size_t k = next[i];
+        const bool is_inside = is_finite(points[i].position) != is_defined(sides[k]);
+        if (is_inside) depths[k] = depth;
+        const double distance = glm::distance(points[i].position, targets[k].position);
+        if (!is_inside || distance > targets[k].near) open.push_back(k);
       }
     }
     return depths;
