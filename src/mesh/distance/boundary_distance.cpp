@@ -170,10 +170,10 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
     const std::vector<OuterSide> sides = outer_chords(leaf, t, by_sides);
     if (sides.empty()) continue;
     const std::vector<Triangle> sheet = by_sides.connected_to(k);
-    std::vector<PlacedTriangle> placed;
-    placed.reserve(sheet.size());
-    for (const Triangle& other : sheet)
-      placed.push_back({other, {place(other[0]), place(other[1]), place(other[2])}});
+    std::vector<PlacedTriangle> placed(sheet.size());
+    std::ranges::transform(sheet, placed.begin(), [&](const Triangle& other) {
+      return PlacedTriangle{other, {place(other[0]), place(other[1]), place(other[2])}};
+    });
     for (const auto& [a, b, opposite, outward] : sides) {
       if (!is_jump) beyond_.add({low, low + size}, number, triangles, {a, b, opposite}, allowed);
       for (const double share : places) {

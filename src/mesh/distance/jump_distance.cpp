@@ -28,6 +28,20 @@ namespace {
 constexpr double kSlight = 2;
 constexpr double kLeastJump = 0.125;
 
+/// The largest distance of an edge from its chord, by its heights on the ways across. `middle`: the
+/// end of the middle way.
+double largest_distance(std::span<const Height> heights, const std::optional<SheetEnd>& middle) {
+  // The middle way meets the corner of two lines of constant u and v. Where these cross, it may go
+  // on in a sheet of the same height, as that of sign(u)*sign(v).
+  const bool goes_on = middle && middle->kind == SheetEnd::Kind::Open;
+  if (heights.size() == 2 && goes_on) return height_of_roof(heights[0], heights[1]);
+  if (heights.size() < kAlongLine.size()) return 0;
+  // Where the sheet's edge leaps to the end of the chord, as at the end of the jump of atan2(v, u),
+  // distances grow up to there.
+  const auto at_end = [&](std::size_t k) { return 2 * heights[k].distance - heights[1].distance; };
+  return std::max({predicted_distance({heights[0], heights[1], heights[2]}), at_end(0), at_end(2)});
+}
+
 }  // namespace
 
 /// Adds a leaf with a jump, unless it leads to a pole.
@@ -176,15 +190,7 @@ void BoundaryDistance::measure_jumps(std::vector<LeafDistance>& found) {
         chord, std::span(&chord.own, chord.triangles.empty() ? 0 : 1), uv[k], at_ends[k]);
     add(distance);
     heights.push_back({foot(chord.ends[0], chord.ends[1], at_ends[k].position), distance});
-    if (heights.size() == kAlongLine.size()) {
-      add(predicted_distance({heights[0], heights[1], heights[2]}));
-      // Where the sheet's edge leaps to the end of the chord, as at the end of the jump of
-      // atan2(v, u), distances grow up to there.
-      const auto at_end = [&](std::size_t k) {
-        return 2 * heights[k].distance - heights[1].distance;
-      };
-      add(std::max(at_end(0), at_end(2)));
-    }
+    if ((k + 1) % kAlongLine.size() == 0) add(largest_distance(heights, ends[k - 1]));
   }
 }
 

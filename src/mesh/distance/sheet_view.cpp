@@ -113,6 +113,12 @@ std::uint32_t corner_across(const Grid& grid, const Chord& chord, double share, 
   return best;
 }
 
+double height_of_roof(const Height& first, const Height& last) {
+  const double rise = first.distance / first.share;
+  const double fall = last.distance / (1 - last.share);
+  return rise > 0 && fall > 0 ? rise * fall / (rise + fall) : 0;
+}
+
 double predicted_distance(std::array<Height, 3> heights) {
   std::ranges::sort(heights, {}, &Height::share);
   const auto& [a, b, c] = heights;

@@ -59,6 +59,9 @@ struct Height {
   double distance;
 };
 
+/// The distance from its chord of the corner between two straight edges, from the chord's ends
+/// through a height each.
+double height_of_roof(const Height& first, const Height& last);
 /// The largest distance of an edge from its chord, predicted from three heights. Where a jump ends
 /// at a corner, distances grow up to the corner.
 double predicted_distance(std::array<Height, 3> heights);
