@@ -145,8 +145,8 @@ class ThinVertexPlacer {
     }
   }
 
-  /// Moves the targets in strips that have a crest along their middle there: of the way between
-  /// their edges, the surface falls as fast on the first sixteenth beside it as farther away.
+  /// Moves the targets in strips with a crest along their middle to the crest. From a crest the
+  /// surface falls in proportion to the way; from a smooth top, to its square.
   void aim_at_crests(std::span<const PlacedSide> sides, std::span<Target> targets,
                      std::size_t& work) const {
     std::vector<std::size_t> strips;
@@ -172,7 +172,7 @@ class ThinVertexPlacer {
       const double fall = fall_beside(all.first<3>());
       const double fall_near = fall_beside(all.last<3>());
       const double allowed = kUnnoticed * tolerance_(all[1]);
-      // In proportion to the way, or to its square: a smooth surface does not fall at first.
+      // Between what is left of either on a way of kFarApart.
       const double between = kFarApart * std::sqrt(kFarApart);
       if (fall > allowed && fall_near > between * fall)
         targets[strips[i]] = {uv[6 * i + 1], all[1], allowed};
