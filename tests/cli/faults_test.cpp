@@ -40,8 +40,7 @@ class Faults : public ProgramTest {
   Outcome run_with(const char* variable, const std::string& value, const Words& words) const {
     return run_saddle(words, folder_, "", [&] { setenv(variable, value.c_str(), 1); });
   }
-  /// Ended by the system after so much work.
-  /// Sanitizers take ten times as long.
+  /// Ended by the system after so much work, ten times as much with a sanitizer.
   Outcome run_within(rlim_t seconds, const Words& words) const {
     const rlim_t most = kIsSanitized ? 10 * seconds : seconds;
     return run_saddle(words, folder_, "", [=] {

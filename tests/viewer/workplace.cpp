@@ -9,15 +9,13 @@
 #include <utility>
 
 #include "paths.h"
-#include "sanitized.h"
 #include "scene/model/gallery.h"
 
 namespace saddle {
 namespace {
 
-/// Until a viewer counts as hung. A formula of a megabyte takes minutes under the thread sanitizer,
-/// which follows each of its bytes.
-constexpr std::chrono::minutes kPatience{kIsSanitized ? 10 : 2};
+/// Until a viewer counts as hung. A formula of a megabyte takes half a minute under a sanitizer.
+constexpr std::chrono::minutes kPatience{2};
 
 /// GLFW's.
 constexpr int kModControl = 2;

@@ -51,6 +51,12 @@ struct Run {
   Polygon polygon;
   bool goes_far = false;  ///< to a pole or a point without limit
   bool is_thin = false;   ///< with a vertex in a thin part of a side
+
+  void append(const Run& next) {
+    polygon.insert(polygon.end(), next.polygon.begin(), next.polygon.end());
+    goes_far = goes_far || next.goes_far;
+    is_thin = is_thin || next.is_thin;
+  }
 };
 
 /// Cuts a cell polygon at its features.
@@ -212,10 +218,7 @@ class Cutter {
     };
     const auto next = std::ranges::find_if(runs_, begins);
     if (next == runs_.begin() || next == runs_.end()) return;
-    Run& before = *std::prev(next);
-    before.polygon.insert(before.polygon.end(), next->polygon.begin(), next->polygon.end());
-    before.goes_far = before.goes_far || next->goes_far;
-    before.is_thin = before.is_thin || next->is_thin;
+    std::prev(next)->append(*next);
     runs_.erase(next);
     creases_.clear();
     --cuts_;
@@ -225,11 +228,8 @@ class Cutter {
   void join_ends() {
     Run last = std::move(runs_.back());
     runs_.pop_back();
-    Run& first = runs_.front();
-    last.polygon.insert(last.polygon.end(), first.polygon.begin(), first.polygon.end());
-    first.polygon = std::move(last.polygon);
-    first.goes_far = first.goes_far || last.goes_far;
-    first.is_thin = first.is_thin || last.is_thin;
+    last.append(runs_.front());
+    runs_.front() = std::move(last);
   }
 
   /// Whether the leaf is defined on a strip alone, which is thin where it enters.
