@@ -70,11 +70,11 @@ Nearest nearest_on(const Grid& grid, const Triangle& t, const dvec3& p) {
 }
 
 /// The distance of a point, in local units, from triangles. `on_own`: its nearest point on `own`,
-/// one of them.
+/// one of them. Others are searched where it is farther than `known`, in units of length.
 double distance(const Grid& grid, std::span<const Triangle> triangles, const dvec3& p,
-                const Triangle& own, const Nearest& on_own) {
+                const Triangle& own, const Nearest& on_own, double known) {
   double distance = on_own.distance;
-  if (on_own.inside) return distance;
+  if (on_own.inside || distance <= grid.local_scale * known) return distance;
   for (const Triangle& t : triangles) {
     if (&t != &own) distance = std::min(distance, nearest_on(grid, t, p).distance);
   }
@@ -124,11 +124,11 @@ Seen seen_at(const std::optional<Bounds>& clip, const Grid& grid,
 }
 
 double distance_from(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
-                     const dvec3& position) {
+                     const dvec3& position, double known) {
   if (triangles.empty() || !is_finite(position)) return 0;
   const Triangle& own = *triangle_below(grid, triangles, uv).triangle;
   const dvec3 p = grid.local_scale * position;
-  return distance(grid, triangles, p, own, nearest_on(grid, own, p)) / grid.local_scale;
+  return distance(grid, triangles, p, own, nearest_on(grid, own, p), known) / grid.local_scale;
 }
 
 WeightedDistance nearest_weights(const Grid& grid, const Triangle& triangle,
@@ -157,8 +157,7 @@ SampledError sampled_error(const Grid& grid, std::span<const Triangle> triangles
   for (int k = 0; k < 3; ++k) {
     interpolated += on_own.weights[k] * grid.mesh.normal[own[static_cast<std::size_t>(k)]];
   }
-  const bool is_near = on_own.distance <= grid.local_scale * known;
-  double away = is_near ? on_own.distance : distance(grid, triangles, p, own, on_own);
+  double away = distance(grid, triangles, p, own, on_own, known);
   if (normal) away = std::max(away, height_of_triangle(grid, below, p, *normal));
   return {away / grid.local_scale, normal ? degrees_between(*normal, interpolated) : 0};
 }

@@ -66,9 +66,10 @@ struct Seen {
 Seen seen_at(const std::optional<Bounds>& clip, const Grid& grid,
              std::span<const Triangle> triangles, const dvec2& uv, const dvec3& position);
 
-/// The distance alone of a position from the triangles.
+/// The distance alone of a position from the triangles. `known`: if the first triangle is within
+/// it, others are not searched.
 double distance_from(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
-                     const dvec3& position);
+                     const dvec3& position, double known = 0);
 /// The distance of a position from one triangle, and the weights of the triangle's corners at the
 /// nearest point; infinite if the position is not finite.
 struct WeightedDistance {

@@ -210,8 +210,9 @@ void WholeMeshError::search_around(std::span<Nearest> nearest) const {
   }
 }
 
-/// The places that a few steps straight towards the surface leave farther than `least`. Most places
-/// come within it so, for a fraction of what a search along lines takes.
+/// The places that a few steps straight towards the surface leave farther than `least`, and how far
+/// they leave them. Most places come within it so, for a fraction of what a search along lines
+/// takes.
 std::vector<WholeMeshError::Expected> WholeMeshError::descend_to_least(
     std::span<const Expected> places, double least) const {
   const ParameterBox domain = box_of(surface_.domain);
@@ -227,15 +228,17 @@ std::vector<WholeMeshError::Expected> WholeMeshError::descend_to_least(
       descend(surface_, points, kHalvingsOfSecondOrder, threads_);
   std::vector<Expected> rest;
   for (std::size_t k = 0; k < places.size(); ++k) {
-    if (!(nearest[k].distance <= least)) rest.push_back(places[k]);
+    if (nearest[k].distance <= least) continue;
+    rest.push_back(places[k]);
+    rest.back().distance = std::min(rest.back().distance, nearest[k].distance);
   }
   return rest;
 }
 
-std::vector<WholeMeshError::Nearest> WholeMeshError::search_above(std::span<const Expected> places,
-                                                                  double least,
-                                                                  double tolerance) const {
-  std::vector<Nearest> found = search(descend_to_least(places, least), least, tolerance);
+std::vector<WholeMeshError::Nearest> WholeMeshError::search_all(std::span<const Expected> places,
+                                                                double least,
+                                                                double tolerance) const {
+  std::vector<Nearest> found = search(places, least, tolerance);
   const auto is_near = [&](const Nearest& n) { return !(n.error.distance > least); };
   std::erase_if(found, is_near);
   begin_at_vertices(found);
@@ -244,9 +247,14 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search_above(std::span<cons
   return found;
 }
 
-/// search_above() for all places that may be farther.
+std::vector<WholeMeshError::Nearest> WholeMeshError::search_above(std::span<const Expected> places,
+                                                                  double least,
+                                                                  double tolerance) const {
+  return search_all(descend_to_least(places, least), least, tolerance);
+}
+
 std::vector<WholeMeshError::Nearest> WholeMeshError::all_above(std::span<const MeshPlace> places,
-                                                               double least) const {
+                                                               double least, double enough) const {
   const std::vector<Expected> expected = expect(places);
   std::vector<Nearest> result;
   for (std::size_t next = 0;
@@ -254,7 +262,15 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::all_above(std::span<const M
        next += kSearchedTogether) {
     const auto some =
         std::span(expected).subspan(next, std::min(kSearchedTogether, expected.size() - next));
-    const std::vector<Nearest> found = search_above(some, least, least);
+    std::vector<Expected> far;
+    for (const Expected& e : descend_to_least(some, least)) {
+      if (e.distance > enough) {
+        far.push_back(e);
+      } else {
+        result.push_back({e.place, {e.distance, uv_of(e.place)}, {}});
+      }
+    }
+    const std::vector<Nearest> found = search_all(far, least, least);
     result.insert(result.end(), found.begin(), found.end());
   }
   return result;
@@ -274,7 +290,7 @@ std::vector<WholeMeshError::FarTriangle> WholeMeshError::farther_than(
     };
     farthest.erase(std::unique(farthest.begin(), farthest.end(), is_same), farthest.end());
   };
-  keep_farthest(all_above(places, least));
+  keep_farthest(all_above(places, least, enough));
   double step = kFirstStep;
   for (int round = 0; round < kClimbsOfTriangles; ++round, step /= 2) {
     std::vector<MeshPlace> beside;
@@ -286,7 +302,7 @@ std::vector<WholeMeshError::FarTriangle> WholeMeshError::farther_than(
         beside.push_back({n.place.triangle, glm::mix(n.place.weights, towards, step)});
       }
     }
-    keep_farthest(all_above(beside, least));
+    keep_farthest(all_above(beside, least, enough));
   }
   std::vector<FarTriangle> result;
   result.reserve(farthest.size());

@@ -74,7 +74,8 @@ class WholeMeshError {
     double distance;
   };
   /// The triangles with a place that is farther than `least` from the surface nearby, in the order
-  /// of their addresses. A search climbs from the places given, up to the distance `enough`.
+  /// of their addresses. A search climbs from the places given, up to the distance `enough`;
+  /// smaller distances may be too large.
   std::vector<FarTriangle> farther_than(double least, double enough,
                                         std::span<const MeshPlace> places) const;
 
@@ -106,10 +107,16 @@ class WholeMeshError {
   std::vector<Expected> descend_to_least(std::span<const Expected> places, double least) const;
   void begin_at_vertices(std::span<Nearest> nearest) const;
   void search_around(std::span<Nearest> nearest) const;
-  /// The places farther than `least`.
+  /// The places farther than `least`, by a search from each. search_above() descends from them
+  /// first.
+  std::vector<Nearest> search_all(std::span<const Expected> places, double least,
+                                  double tolerance) const;
   std::vector<Nearest> search_above(std::span<const Expected> places, double least,
                                     double tolerance) const;
-  std::vector<Nearest> all_above(std::span<const MeshPlace> places, double least) const;
+  /// The places that are or seem to be farther than `least`. Those that a descent leaves within
+  /// `enough` are not searched: they only show where to climb.
+  std::vector<Nearest> all_above(std::span<const MeshPlace> places, double least,
+                                 double enough) const;
   void climb_on_mesh(std::span<Nearest> places, double tolerance) const;
 
   const Surface& surface_;

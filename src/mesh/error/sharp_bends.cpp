@@ -163,7 +163,7 @@ void SharpBends::append_middles(std::size_t number, std::vector<Place>& places) 
 
 void SharpBends::validate_at(const dvec2& uv, const dvec3& position, SharpLeaf& leaf,
                              ValidatedMesh& mesh) const {
-  const double distance = distance_from(grid_, leaf.triangles, uv, position);
+  const double distance = distance_from(grid_, leaf.triangles, uv, position, leaf.distance);
   if (!(distance > leaf.distance)) return;
   leaf.distance = distance;
   leaf.farthest = uv;

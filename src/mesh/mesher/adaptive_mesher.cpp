@@ -118,7 +118,9 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
   if (stops_early()) return;
   ask_forgotten_samples();
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-    if (direction_.is_cut_unclearly(k)) leave_out_if_small(k);
+    const Leaf& leaf = mesh_.leaves[k];
+    if (!leaf.state.is_cut_by_feature() || !is_small(leaf)) continue;
+    if (direction_.is_cut_unclearly(k)) leave_out(k);
   }
   const bool is_finished = !reached_limit_ || !is_refined();
   if (is_finished) singularities_ = leave_out_singularities(surface_, limits_, tree_, mesh_);
@@ -357,14 +359,17 @@ bool AdaptiveMesher::stop_if_done(Leaf& leaf, const Oscillation& oscillation) {
   return true;
 }
 
-/// Leaves out a failed leaf that is too small to see or to halve: its triangles may be walls
-/// between sheets. The vertices around it are within the tolerance.
-bool AdaptiveMesher::leave_out_if_small(std::size_t number) {
+/// Whether a leaf is too small to see or to halve.
+bool AdaptiveMesher::is_small(const Leaf& leaf) const {
+  if (leaf.state.leads_to_pole()) return false;
+  if (leaf.size_u() < 2 && leaf.size_v() < 2) return true;
+  return halvings_of_root(leaf) >= kBoundaryHalvings && direction_.is_too_small_to_see(leaf);
+}
+
+/// Leaves out a failed leaf that is small: its triangles may be walls between sheets. The vertices
+/// around it are within the tolerance.
+bool AdaptiveMesher::leave_out(std::size_t number) {
   Leaf& leaf = mesh_.leaves[number];
-  const bool is_smallest = leaf.size_u() < 2 && leaf.size_v() < 2;
-  const bool is_small =
-      halvings_of_root(leaf) >= kBoundaryHalvings && direction_.is_too_small_to_see(leaf);
-  if (leaf.state.leads_to_pole() || !(is_smallest || is_small)) return false;
   const FeatureCount features = count_features(leaf, tree_);
   if (features.has_cliffs && features.is_continuous) return false;
   leaf.state.leave_out_too_small();
@@ -450,7 +455,7 @@ std::vector<Leaf> AdaptiveMesher::halve_failed() {
     const bool is_cut = leaf.state.is_cut_by_feature();
     const std::optional<Failure> failure = failure_of(k);
     if (!failure) continue;
-    if (is_cut && leave_out_if_small(k)) continue;
+    if (is_cut && is_small(leaf) && leave_out(k)) continue;
     if (!unresolvable) unresolvable.emplace(oscillation());
     if (stop_if_done(leaf, *unresolvable)) continue;
     const auto both =

@@ -88,7 +88,8 @@ class AdaptiveMesher {
   double normal_error_ratio(std::size_t leaf);
   Oscillation predict(const MeshPlan& plan) const;
   Oscillation oscillation() const;
-  bool leave_out_if_small(std::size_t number);
+  bool is_small(const Leaf& leaf) const;
+  bool leave_out(std::size_t number);
   std::vector<Leaf> halve_missed();
   std::optional<std::array<Leaf, 2>> halve_cut(std::size_t number);
   bool stop_if_done(Leaf& leaf, const Oscillation& oscillation);

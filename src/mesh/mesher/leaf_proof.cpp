@@ -122,7 +122,9 @@ void LeafProof::refute(std::span<const UnprovedBox> boxes, const Leaves& leaves,
     if (box.may_jump) result.may_jump.push_back(static_cast<std::uint32_t>(box.patch));
     if (!box.is_undefined && !is_seen(clip_, points[k])) continue;
     const double allowed = mesh.allowed[box.patch];
-    double distance = distance_from(grid_, mesh.triangles.of(box.patch), box.middle, points[k]);
+    const double known = std::min(allowed, mesh.sampled_errors[box.patch].distance);
+    double distance =
+        distance_from(grid_, mesh.triangles.of(box.patch), box.middle, points[k], known);
     if (distance > allowed && !mesh.leaves[box.patch].state.is_whole() &&
         from_mesh_++ < kFirstSearched)
       distance = measure.distance_from_mesh(points[k], distance);

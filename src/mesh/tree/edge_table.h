@@ -132,6 +132,11 @@ class EdgeTable {
     return vertices_.is_beside_feature(a) && vertices_.is_beside_feature(b) ? find_feature(a, b)
                                                                             : std::nullopt;
   }
+  /// The facts of a side that may have a feature or lead to a pole, until a search files the next.
+  const EdgeRecord* find_cut(std::uint32_t a, std::uint32_t b) const {
+    const bool may_have_feature = vertices_.is_beside_feature(a) && vertices_.is_beside_feature(b);
+    return may_have_feature || !poles_.empty() ? find(a, b) : nullptr;
+  }
   /// Whether a search for features has ended on a side.
   bool is_searched(std::uint32_t a, std::uint32_t b) const {
     const EdgeRecord* const record = find(a, b);

@@ -29,8 +29,8 @@ bool is_wide_strip(const EdgeFeature& feature, std::size_t strip, const Side& si
 bool has_cut(FeatureKind kind, const Leaf& leaf, const CellTree& tree) {
   bool has_cut = false;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
-    has_cut = has_cut || (feature && feature->kind == kind);
+    const EdgeRecord* const side = has_cut ? nullptr : tree.edges().find_cut(a, b);
+    has_cut = has_cut || (side != nullptr && side->feature && side->feature->kind == kind);
   });
   return has_cut;
 }
@@ -143,15 +143,17 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
   bool has_jumps = false;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     add_singular_vertex(a, tree, singular);
-    const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
-    count.leads_to_pole = count.leads_to_pole || tree.edges().leads_to_pole(a, b);
+    const EdgeRecord* const side = tree.edges().find_cut(a, b);
+    if (side == nullptr) return;
+    count.leads_to_pole = count.leads_to_pole || side->pole != kNoIndex;
+    const std::optional<EdgeFeature>& feature = side->feature;
     if (!feature) return;
     // A pole that leaves the clip box at an undefined vertex counts once.
     if (feature->kind == FeatureKind::Face && !tree.geometry().is_defined(a)) return;
     has_jumps = has_jumps || feature->kind == FeatureKind::Jump;
     const bool on_side_of_u =
         tree.vertices().place_between(a).x == tree.vertices().place_between(b).x;
-    const bool has_more = tree.edges().has_more(a, b);
+    const bool has_more = side->between_features.has_value();
     const std::size_t features = has_more ? 2 : 1;
     count.has_more = count.has_more || has_more;
     count.features += features;
