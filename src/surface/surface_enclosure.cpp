@@ -34,7 +34,11 @@ std::size_t KnownHulls::HashOfBox::operator()(const std::array<double, 4>& box) 
 }
 
 Bounds KnownHulls::over(const ParameterBox& box) {
-  if (!enclosure_) enclosure_.emplace(surface_, Bounded::Position);
+  if (!enclosure_) {
+    enclosure_.emplace(surface_, Bounded::Position);
+    keeps_ = enclosure_->steps() >= kStepsToKeep;
+  }
+  if (!keeps_) return hull_of(enclosure_->enclose(box));
   const std::array<double, 4> ends = {box.low.x, box.low.y, box.high.x, box.high.y};
   if (known_.size() < kMostKnown) {
     const auto [place, is_new] = known_.try_emplace(ends);

@@ -38,6 +38,8 @@ class SurfaceEnclosure {
                outputs_);
     return outputs_;
   }
+  /// The cost of a box, in additions.
+  std::size_t steps() const { return enclosure_.steps(); }
   /// The bounds of the last box.
   std::span<const Interval> last() const { return outputs_; }
 
@@ -56,7 +58,8 @@ Defined least_defined(std::span<const Interval> bounds);
 Bounds hull_of(std::span<const Interval> bounds);
 
 /// The boxes in space around a surface over boxes of parameters. Several searches look at the same
-/// leaves: each box is enclosed once, but for those of a fine mesh. The surface must outlive this.
+/// leaves: for a long formula each box is enclosed once, but for those of a fine mesh. The surface
+/// must outlive this.
 class KnownHulls {
  public:
   explicit KnownHulls(const Surface& surface) : surface_(surface) {}
@@ -66,9 +69,12 @@ class KnownHulls {
  private:
   /// They take 7 MB.
   static constexpr std::size_t kMostKnown = std::size_t{1} << 16;
+  /// A formula of fewer steps is computed in the time that it takes to keep a result: memory is far.
+  static constexpr std::size_t kStepsToKeep = 100;
 
   const Surface& surface_;
   std::optional<SurfaceEnclosure> enclosure_;  // made for the first box
+  bool keeps_ = false;
   struct HashOfBox {
     std::size_t operator()(const std::array<double, 4>& box) const;
   };
