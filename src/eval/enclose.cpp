@@ -139,7 +139,7 @@ void Enclosure::load(const Interval& range, Bank& bank) {
     bank.values.resize(bank.known.size() * bank.count);
     bank.misses = 0;
   }
-  const std::size_t place = hash_of(range) % bank.known.size();
+  const std::size_t place = hash_of(range) & (bank.known.size() - 1);  // a power of 2
   const auto values = std::span(bank.values).subspan(place * bank.count, bank.count);
   Interval& known = bank.known[place];
   if (range.low == known.low && range.high == known.high) {

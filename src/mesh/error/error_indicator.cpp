@@ -256,10 +256,10 @@ bool ErrorIndicator::splits_boundary_u(const Leaf& leaf) const {
   return along_u == along_v || is_slender ? u >= v : along_u > along_v;
 }
 
-std::vector<dvec3> ErrorIndicator::defined_positions(const SampleVertices& samples) const {
-  std::vector<dvec3> positions;
+ErrorIndicator::Positions ErrorIndicator::defined_positions(const SampleVertices& samples) const {
+  Positions positions;
   const auto add = [&](std::uint32_t vertex) {
-    if (tree_.geometry().is_defined(vertex)) positions.push_back(mesh_.position[vertex]);
+    if (tree_.geometry().is_defined(vertex)) positions.all[positions.count++] = mesh_.position[vertex];
   };
   for (std::size_t k = 0; k < 4; ++k) {
     add(samples.corner[k]);
@@ -270,14 +270,15 @@ std::vector<dvec3> ErrorIndicator::defined_positions(const SampleVertices& sampl
 }
 
 bool ErrorIndicator::is_clipped(const Leaf& leaf) const {
-  return limits_.clip && is_beyond(*limits_.clip, defined_positions(leaf.samples));
+  return limits_.clip && is_beyond(*limits_.clip, defined_positions(leaf.samples).span());
 }
 
 bool ErrorIndicator::is_outside(const Leaf& leaf) const {
-  return limits_.clip &&
-         std::ranges::all_of(defined_positions(leaf.samples), [&](const dvec3& position) {
-           return is_beyond(*limits_.clip, std::span(&position, 1));
-         });
+  if (!limits_.clip) return false;
+  const Positions positions = defined_positions(leaf.samples);
+  return std::ranges::all_of(positions.span(), [&](const dvec3& position) {
+    return is_beyond(*limits_.clip, std::span(&position, 1));
+  });
 }
 
 double ErrorIndicator::diameter(const Corners& corner) const {

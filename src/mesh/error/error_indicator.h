@@ -100,7 +100,13 @@ class ErrorIndicator {
   using Corners = std::array<std::uint32_t, 4>;
   struct ChordSample;
 
-  std::vector<dvec3> defined_positions(const SampleVertices& samples) const;
+  /// At most as many as a leaf has samples.
+  struct Positions {
+    std::array<dvec3, 9> all;
+    std::size_t count = 0;
+    std::span<const dvec3> span() const { return std::span(all).first(count); }
+  };
+  Positions defined_positions(const SampleVertices& samples) const;
   double diameter(const Corners& corner) const;
   bool is_regular(std::uint32_t vertex) const;
   bool has_opposed(const SampleVertices& samples) const;

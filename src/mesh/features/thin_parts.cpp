@@ -25,11 +25,14 @@ class ThinPartSearch {
         threads_(threads),
         found_(lines.size()),
         enclosure_(surface, Bounded::Position) {
-    for (std::size_t k = 0; k < lines.size(); ++k) open_.push_back({k, {lines[k].line}});
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      if (!is_alike(lines[k].line, lines[k].are_defined)) open_.push_back({k, {lines[k].line}});
+    }
   }
 
   std::vector<std::optional<dvec2>> run() {
     for (int halving = 0; halving < kHalvingsToNearly && !open_.empty(); ++halving) {
+      halve();
       for (OpenLine& open : open_) {
         const bool are_defined = lines_[open.number].are_defined;
         std::erase_if(open.parts, [&](const Line& part) { return is_alike(part, are_defined); });
@@ -37,7 +40,6 @@ class ThinPartSearch {
       std::erase_if(open_, [](const OpenLine& open) {
         return open.parts.empty() || open.parts.size() > kMostLineParts;
       });
-      halve();
     }
     return std::move(found_);
   }

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include <glm/common.hpp>
 
 #include "base/error.h"
+#include "mesh/model/pair_table.h"
 #include "mesh/model/tolerances.h"
 
 namespace saddle {
@@ -31,22 +31,25 @@ class Face {
 
   void clip() {
     if (!std::isfinite(limit_)) return;
-    move_onto_face();
+    if (!move_onto_face()) return;
     clip_triangles();
     clip_lines();
   }
 
  private:
-  void move_onto_face() {
+  /// Returns whether a corner is outside.
+  bool move_onto_face() {
+    bool is_any_outside = false;
     for (dvec3& p : mesh_.position) {
       if (std::fabs(p[axis_] - limit_) <= rounding_) p[axis_] = limit_;
+      is_any_outside = is_any_outside || !(beyond(p) <= 0);
     }
+    return is_any_outside;
   }
 
   /// Distance of a corner from the face; less than 0 inside.
-  double beyond(std::uint32_t corner) const {
-    return sign_ * (mesh_.position[corner][axis_] - limit_);
-  }
+  double beyond(const dvec3& p) const { return sign_ * (p[axis_] - limit_); }
+  double beyond(std::uint32_t corner) const { return beyond(mesh_.position[corner]); }
   bool is_inside(std::uint32_t corner) const { return beyond(corner) <= 0; }
   /// Whether the face goes through an edge, and through neither of its ends.
   bool cuts(std::uint32_t a, std::uint32_t b) const {
@@ -56,8 +59,9 @@ class Face {
   /// The corner where the edge from a to b crosses the face; the same from both sides.
   std::uint32_t crossing(std::uint32_t a, std::uint32_t b) {
     if (a > b) std::swap(a, b);
-    const auto [place, is_new] = corners_.try_emplace(key(a, b), 0);
-    if (!is_new) return place->second;
+    const auto corner = static_cast<std::uint32_t>(mesh_.position.size());
+    const auto [known, is_new] = corners_.insert(pair_of(a, b), corner);
+    if (!is_new) return known;
     const dvec3 p = mesh_.position[a];
     const dvec3 q = mesh_.position[b];
     const double t = (limit_ - p[axis_]) / (q[axis_] - p[axis_]);
@@ -65,9 +69,9 @@ class Face {
     position[axis_] = limit_;
     const dvec3 normal = glm::mix(mesh_.normal[a], mesh_.normal[b], t);
     const double length = glm::length(normal);
-    const auto corner = static_cast<std::uint32_t>(mesh_.position.size());
     // Edges of the same two points, on both sides of a seam or a crease, cross at one point.
-    const std::uint32_t point = points_.try_emplace(point_key(a, b), corner).first->second;
+    const std::uint32_t point =
+        points_.insert(pair_of(mesh_.point[a], mesh_.point[b]), corner).first;
     if (point != corner) position = mesh_.position[point];
     const dvec3 own_normal = mesh_.normal[a];
     const dvec2 uv = glm::mix(mesh_.uv[a], mesh_.uv[b], t);
@@ -75,7 +79,7 @@ class Face {
     mesh_.normal.push_back(length > 0 ? normal / length : own_normal);
     mesh_.uv.push_back(uv);
     mesh_.point.push_back(std::uint32_t{point});
-    return place->second = corner;
+    return corner;
   }
 
   void clip_triangles() {
@@ -120,21 +124,13 @@ class Face {
     mesh_.lines = std::move(kept);
   }
 
-  static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
-    return (std::uint64_t{a} << 32U) | b;
-  }
-  std::uint64_t point_key(std::uint32_t a, std::uint32_t b) const {
-    const auto [first, second] = std::minmax(mesh_.point[a], mesh_.point[b]);
-    return key(first, second);
-  }
-
   int axis_;
   double sign_;
   double limit_;
   double rounding_;  ///< within which a vertex is on the face
   Mesh& mesh_;
-  std::unordered_map<std::uint64_t, std::uint32_t> corners_;
-  std::unordered_map<std::uint64_t, std::uint32_t> points_;
+  PairTable corners_;
+  PairTable points_;
 };
 
 }  // namespace
