@@ -24,9 +24,10 @@ constexpr double kNearOpposites = 0.25;
 
 std::vector<LocatedDiscontinuity> find_creases(const Surface& surface, std::span<const Line> lines,
                                                std::span<const std::array<dvec3, 2>> normals,
-                                               unsigned threads, std::size_t& work) {
+                                               unsigned threads, Patience& patience,
+                                               std::size_t& work) {
   const double chord = 2 * std::sin(0.5 * kCreaseDegrees * std::numbers::pi / 180);
-  const auto [open, only_cusps] = unproved_normals(surface, lines, work);
+  const auto [open, only_cusps] = unproved_normals(surface, lines, patience, work);
   std::vector<Bracket> gaps;
   gaps.reserve(open.size());
   for (const std::size_t k : open) gaps.push_back({lines[k], lines[k], normals[k]});

@@ -14,9 +14,10 @@ namespace saddle {
 
 /// Searches lines for jumps of unit normals, as find_discontinuities() does positions. A jump by
 /// more than kCreaseDegrees is a crease, or a cusp if the normal turns to its opposite. `normals`:
-/// along r_u x r_v, at the ends of each line.
+/// along r_u x r_v, at the ends of each line. `patience`: with proofs that there is none.
 std::vector<LocatedDiscontinuity> find_creases(const Surface& surface, std::span<const Line> lines,
                                                std::span<const std::array<dvec3, 2>> normals,
-                                               unsigned threads, std::size_t& work);
+                                               unsigned threads, Patience& patience,
+                                               std::size_t& work);
 
 }  // namespace saddle

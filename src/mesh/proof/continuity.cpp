@@ -325,12 +325,9 @@ std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lin
 }
 
 UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> lines,
-                                 std::size_t& boxes) {
+                                 Patience& patience, std::size_t& boxes) {
   /// A search on 4 lines takes less time than proofs.
   constexpr std::size_t kFew = 4;
-  /// Failed proofs that are allowed: 64, and one for each proved line, on which a search would have
-  /// taken as long.
-  constexpr std::size_t kStagnant = 64;
   UnprovedNormals result;
   if (lines.empty()) return result;
   std::vector<LinePart> all;
@@ -338,11 +335,14 @@ UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> l
   NormalProver prover(surface);
   ++boxes;
   result.only_cusps = prover.has_continuous_tangents(box_around(all));
-  if (result.only_cusps && prover.has_normals()) return result;
+  if (result.only_cusps && prover.has_normals()) {
+    patience.learn(true);
+    return result;
+  }
   std::size_t stagnation = 0;
   std::size_t proved = 0;
   const auto few = [&] {
-    const bool is_stagnant = stagnation > kStagnant + proved;
+    const bool is_stagnant = stagnation > patience.failures() + proved;
     return is_stagnant ? all.size() : kFew;
   };
   const auto is_proved = [&](const ParameterBox& box, std::size_t count) {
@@ -354,6 +354,7 @@ UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> l
   prove_together(std::span(all), few, is_proved, [&](std::span<const LinePart> left) {
     for (const LinePart& line : left) result.lines.push_back(line.line);
   });
+  if (lines.size() > kFew) patience.learn(proved > 0);
   std::ranges::sort(result.lines);
   return result;
 }

@@ -3,6 +3,7 @@
 // free variables", 2001.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -43,10 +44,25 @@ struct UnprovedNormals {
   bool only_cusps = false;
 };
 
+/// How many proofs of a call may fail, beyond one for each line proved. Of some surfaces no bounds
+/// prove anything: half as many after a call that proves nothing.
+class Patience {
+ public:
+  std::size_t failures() const { return failures_; }
+  void learn(bool has_proved) {
+    failures_ = has_proved ? kMost : std::max(kLeast, failures_ / 2);
+  }
+
+ private:
+  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kLeast = 4;
+  std::size_t failures_ = kMost;
+};
+
 /// The lines along which it is not proved that the tangents are continuous and r_u x r_v is not 0.
 /// The others have no crease and no cusp. Proofs end where they fail repeatedly, or would cost more
 /// than a search on the lines. Adds to `boxes` the number of boxes tested.
 UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> lines,
-                                 std::size_t& boxes);
+                                 Patience& patience, std::size_t& boxes);
 
 }  // namespace saddle

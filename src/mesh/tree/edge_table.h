@@ -10,6 +10,7 @@
 
 #include "base/numbers.h"
 #include "mesh/model/pair_table.h"
+#include "mesh/proof/continuity.h"
 #include "mesh/sizing/effort.h"
 #include "mesh/tree/cell_marks.h"
 #include "mesh/tree/dyadic_vertices.h"
@@ -202,6 +203,9 @@ class EdgeTable {
   void count_few_jumps(std::size_t sought, std::size_t found) { few_jumps_.count(sought, found); }
   bool may_have_few_jumps() const { return few_jumps_.may_be_found(kSoughtForFewJumps); }
 
+  /// The patience of searches for creases with proofs that there is none.
+  Patience& patience() { return patience_; }
+
   bool has_features() const { return has_features_; }
   /// Whether a feature may cut a leaf: one cuts its root cell.
   bool may_be_crossed(const Leaf& leaf) const {
@@ -240,6 +244,7 @@ class EdgeTable {
   std::size_t vertex_count_ = 0;
   SearchCount cliffs_;
   SearchCount few_jumps_;
+  Patience patience_;
   bool has_features_ = false;
   bool has_seams_ = false;
   bool has_pole_features_ = false;

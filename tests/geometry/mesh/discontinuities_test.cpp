@@ -20,7 +20,8 @@ LocatedDiscontinuity find_crease(const Surface& surface, const Line& line, std::
   for (std::size_t end = 0; end < 2; ++end) {
     normals[end] = *normal_direction(evaluate(surface, std::array{line[end]})[0]);
   }
-  return find_creases(surface, std::span(&line, 1), std::span(&normals, 1), 1, work)[0];
+  Patience patience;
+  return find_creases(surface, std::span(&line, 1), std::span(&normals, 1), 1, patience, work)[0];
 }
 LocatedDiscontinuity find_crease(const Surface& surface, const Line& line) {
   std::size_t work = 0;
