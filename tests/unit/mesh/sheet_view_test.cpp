@@ -17,5 +17,15 @@ TEST(PredictedDistance, IsNoMultipleOfThoseMeasuredNextToAnEnd) {
   EXPECT_LT(predicted_distance({{{0.333, 2.6e-5}, {0.496, 3.9e-5}, {1 - 2.3e-7, 4e-5}}}), 1e-4);
 }
 
+TEST(HeightOfRoof, IsThatOfTheCornerBetweenTwoEdges) {
+  EXPECT_NEAR(height_of_roof({0.25, 0.5}, {0.75, 0.5}), 1, 1e-12);
+  EXPECT_NEAR(height_of_roof({0.2, 0.5}, {0.8, 0.25}), 1 / (0.4 + 0.8), 1e-12);
+}
+
+TEST(HeightOfRoof, IsNoMultipleOfOneMeasuredNextToAnEnd) {
+  EXPECT_EQ(height_of_roof({2.3e-7, 4e-5}, {0.504, 4e-5}), 0);
+  EXPECT_EQ(height_of_roof({0.504, 4e-5}, {1 - 2.3e-7, 4e-5}), 0);
+}
+
 }  // namespace
 }  // namespace saddle
