@@ -19,6 +19,8 @@ struct Descent {
   /// The part of the normal equations' diagonal that is added to it. A step that comes no nearer
   /// multiplies it by 10, another one by 0.1.
   double damping = kNearly;
+  /// Whether a step that was hardly damped came no nearer than by a share of kOfSecondOrder.
+  bool has_settled = false;
 };
 
 dvec2 step(const Descent& d, const dvec3& from) {
@@ -35,7 +37,9 @@ dvec2 step(const Descent& d, const dvec3& from) {
 void arrive(const dvec2& uv, const SurfacePoint& there, const dvec3& from, Descent& d) {
   const double distance = glm::distance(there.position, from);
   if (distance < d.distance) {
-    d = {uv, there, distance, 0.1 * d.damping};
+    const bool has_settled =
+        d.damping <= kNearly && distance > (1 - kOfSecondOrder) * d.distance;
+    d = {uv, there, distance, 0.1 * d.damping, has_settled};
   } else {
     d.damping *= 10;
   }
@@ -54,7 +58,9 @@ std::vector<PlacedError> descend(const Surface& surface, std::span<const Descend
     const std::vector<SurfacePoint> there = evaluate(surface, uv, threads);
     for (std::size_t i = 0; i < active.size(); ++i)
       arrive(uv[i], there[i], points[active[i]].from, descents[active[i]]);
-    std::erase_if(active, [&](std::size_t k) { return descents[k].distance <= points[k].enough; });
+    std::erase_if(active, [&](std::size_t k) {
+      return descents[k].has_settled || descents[k].distance <= points[k].enough;
+    });
     uv.clear();
     for (const std::size_t k : active) {
       const Descent& d = descents[k];
