@@ -4,13 +4,15 @@
 #include <iterator>
 #include <limits>
 
+#include "mesh/model/sample_places.h"
 #include "mesh/model/sides.h"
 #include "mesh/tree/cell_tree.h"
 #include "mesh/tree/feature_count.h"
 
 namespace saddle {
 
-/// The places are the middles of diagonals, and of sides that end at the feature.
+/// The places are the middles of diagonals, and of sides that end at the feature. Where a jump ends
+/// at a crease, its chord leads from side to side past the corner: places along it, too.
 void SheetTriangles::add(const ValidatedMesh& mesh, std::size_t number,
                          std::span<const Triangle> triangles) {
   const Leaf& leaf = mesh.leaves[number];
@@ -19,12 +21,19 @@ void SheetTriangles::add(const ValidatedMesh& mesh, std::size_t number,
   if (!features.only_jumps || features.only_creases || features.leads_to_pole) return;
   leaves_.push_back({triangles.data(), number});
   for_triangle_sides(triangles, [&](const Triangle& t, std::size_t k, bool is_diagonal) {
-    const bool ends_at_feature =
-        tree_.vertices().is_on_feature(t[k]) != tree_.vertices().is_on_feature(t[(k + 1) % 3]);
-    if (!is_diagonal && !ends_at_feature) return;
-    dvec3 weights(0.5);
-    weights[static_cast<int>((k + 2) % 3)] = 0;
-    places_.push_back({&t, weights});
+    const auto add = [&](double share) {
+      dvec3 weights(0);
+      weights[static_cast<int>(k)] = 1 - share;
+      weights[static_cast<int>((k + 1) % 3)] = share;
+      places_.push_back({&t, weights});
+    };
+    const bool begins_at_feature = tree_.vertices().is_on_feature(t[k]);
+    const bool ends_at_feature = tree_.vertices().is_on_feature(t[(k + 1) % 3]);
+    if (is_diagonal || begins_at_feature != ends_at_feature) {
+      add(0.5);
+    } else if (begins_at_feature && features.creases > 0) {
+      for (const double share : kAlongLine) add(share);
+    }
   });
 }
 
