@@ -37,8 +37,7 @@ dvec2 step(const Descent& d, const dvec3& from) {
 void arrive(const dvec2& uv, const SurfacePoint& there, const dvec3& from, Descent& d) {
   const double distance = glm::distance(there.position, from);
   if (distance < d.distance) {
-    const bool has_settled =
-        d.damping <= kNearly && distance > (1 - kOfSecondOrder) * d.distance;
+    const bool has_settled = d.damping <= kNearly && distance > (1 - kOfSecondOrder) * d.distance;
     d = {uv, there, distance, 0.1 * d.damping, has_settled};
   } else {
     d.damping *= 10;

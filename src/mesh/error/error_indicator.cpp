@@ -259,7 +259,8 @@ bool ErrorIndicator::splits_boundary_u(const Leaf& leaf) const {
 ErrorIndicator::Positions ErrorIndicator::defined_positions(const SampleVertices& samples) const {
   Positions positions;
   const auto add = [&](std::uint32_t vertex) {
-    if (tree_.geometry().is_defined(vertex)) positions.all[positions.count++] = mesh_.position[vertex];
+    if (tree_.geometry().is_defined(vertex))
+      positions.all[positions.count++] = mesh_.position[vertex];
   };
   for (std::size_t k = 0; k < 4; ++k) {
     add(samples.corner[k]);

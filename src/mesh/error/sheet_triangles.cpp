@@ -11,8 +11,10 @@
 
 namespace saddle {
 
-/// The places are the middles of diagonals, and of sides that end at the feature. Where a jump ends
-/// at a crease, its chord leads from side to side past the corner: places along it, too.
+/// The places are the middles of diagonals, and of sides that end at the feature. Two kinds of
+/// sides between two places on features have several: the chord of a jump that ends at a crease
+/// leads past the corner, and the diagonal of a wall whose foot and head change places leads past
+/// its neck.
 void SheetTriangles::add(const ValidatedMesh& mesh, std::size_t number,
                          std::span<const Triangle> triangles) {
   const Leaf& leaf = mesh.leaves[number];
@@ -29,10 +31,11 @@ void SheetTriangles::add(const ValidatedMesh& mesh, std::size_t number,
     };
     const bool begins_at_feature = tree_.vertices().is_on_feature(t[k]);
     const bool ends_at_feature = tree_.vertices().is_on_feature(t[(k + 1) % 3]);
-    if (is_diagonal || begins_at_feature != ends_at_feature) {
-      add(0.5);
-    } else if (begins_at_feature && features.creases > 0) {
+    const bool may_pass = is_diagonal ? features.has_cliffs : features.creases > 0;
+    if (begins_at_feature && ends_at_feature && may_pass) {
       for (const double share : kAlongLine) add(share);
+    } else if (is_diagonal || begins_at_feature != ends_at_feature) {
+      add(0.5);
     }
   });
 }

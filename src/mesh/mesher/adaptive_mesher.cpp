@@ -433,7 +433,7 @@ std::optional<AdaptiveMesher::Failure> AdaptiveMesher::failure_of(std::size_t nu
   const bool is_cut = leaf.state.is_cut_by_feature();
   const bool is_on_lines =
       has_thin_vertex(leaf, tree_) || (is_cut && (has_cut(FeatureKind::Jump, leaf, tree_) ||
-                                           has_cut(FeatureKind::Cliff, leaf, tree_)));
+                                                  has_cut(FeatureKind::Cliff, leaf, tree_)));
   if (mesh_.is_near(number) && !is_cut && !is_on_lines && !validation_.is_turned(number))
     return std::nullopt;
   const Failure failure = {mesh_.error_ratio(number) / (is_on_lines ? kAimOnLines : 1),

@@ -49,9 +49,7 @@ struct UnprovedNormals {
 class Patience {
  public:
   std::size_t failures() const { return failures_; }
-  void learn(bool has_proved) {
-    failures_ = has_proved ? kMost : std::max(kLeast, failures_ / 2);
-  }
+  void learn(bool has_proved) { failures_ = has_proved ? kMost : std::max(kLeast, failures_ / 2); }
 
  private:
   static constexpr std::size_t kMost = 64;
