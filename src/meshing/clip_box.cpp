@@ -49,7 +49,7 @@ Bounds bounds_of(std::span<const dvec3> points) {
 
 /// The points of the window of this length along an axis that holds most of them. `sorted` along
 /// that axis.
-std::span<const dvec3> fullest_window(std::span<const dvec3> sorted, int axis, double length) {
+std::span<const dvec3> fullest_of(std::span<const dvec3> sorted, int axis, double length) {
   std::size_t best = 0;
   std::size_t most = 0;
   std::size_t end = 0;
@@ -60,6 +60,17 @@ std::span<const dvec3> fullest_window(std::span<const dvec3> sorted, int axis, d
     best = begin;
   }
   return sorted.subspan(best, most);
+}
+
+/// The same, of windows within the fullest one of each greater length: short ones may hold a few
+/// points by chance, wherever they are. Source: D. R. Bickel, R. Fruhwirth, "On a fast, robust
+/// estimator of the mode", 2006.
+std::span<const dvec3> fullest_window(std::span<const dvec3> sorted, int axis, double length) {
+  while (!sorted.empty() && sorted.back()[axis] - sorted.front()[axis] > length) {
+    const double half = 0.5 * (sorted.back()[axis] - sorted.front()[axis]);
+    sorted = fullest_of(sorted, axis, std::max(half, length));
+  }
+  return sorted;
 }
 
 /// clip_box(). A side that goes to infinity is at least `low` times as long as the longest other.

@@ -88,5 +88,15 @@ TEST(ReadableBox, LeavesOutAnEdgeThatGoesFarBeyondAllPoints) {
   EXPECT_EQ(*box, (Bounds{dvec3(-kInfinity), dvec3(kInfinity, kInfinity, 0)}));
 }
 
+TEST(ReadableBox, IsWhereColumnsAreNearToEachOtherAndNotTheFullestOne) {
+  // Each column of samples is a stretch of its own; one has more of them.
+  auto points = field(1, [](double u, double v) { return 1e4 * u * u + v; });
+  for (int k = 0; k < 150; ++k) points.emplace_back(0.7, 0.01 * k, 4900 + 0.01 * k);
+  const auto box = boxed(points);
+  ASSERT_TRUE(box.has_value());
+  EXPECT_LT(box->low.z, 50);
+  EXPECT_LT(box->high.z, 100);
+}
+
 }  // namespace
 }  // namespace saddle
