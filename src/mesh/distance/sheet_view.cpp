@@ -42,9 +42,9 @@ bool cover(std::span<const PlacedTriangle> triangles, const Line& line) {
   return covered >= 1 - gap;
 }
 
-/// Heights as near to an end or to each other as this share say nothing of slopes: half as far as
-/// the places of kAlongLine.
-constexpr double kApart = 0.5 * kAlongLine.front();
+/// A height above a share of a chord this near to an end is that of an edge which begins beside the
+/// chord, and no part of a straight one from the end.
+constexpr double kNextToEnd = 1.0 / 64;
 
 /// The largest distance of a parabola through three heights between the outer two.
 double top_of_parabola(const Height& a, const Height& b, const Height& c) {
@@ -118,7 +118,7 @@ std::uint32_t corner_across(const Grid& grid, const Chord& chord, double share, 
 }
 
 double height_of_roof(const Height& first, const Height& last) {
-  if (!(first.share > kApart && last.share < 1 - kApart)) return 0;
+  if (!(first.share > kNextToEnd && last.share < 1 - kNextToEnd)) return 0;
   const double rise = first.distance / first.share;
   const double fall = last.distance / (1 - last.share);
   return rise > 0 && fall > 0 ? rise * fall / (rise + fall) : 0;
@@ -127,14 +127,16 @@ double height_of_roof(const Height& first, const Height& last) {
 double predicted_distance(std::array<Height, 3> heights) {
   std::ranges::sort(heights, {}, &Height::share);
   const auto& [a, b, c] = heights;
-  const bool are_apart = b.share - a.share > kApart && c.share - b.share > kApart;
+  // Half as far as the places of kAlongLine.
+  const double apart = 0.5 * kAlongLine.front();
+  const bool are_apart = b.share - a.share > apart && c.share - b.share > apart;
   if (!(a.share > 0 && c.share < 1 && are_apart)) return 0;
   const double at_first = a.distance + (a.distance - b.distance) * a.share / (b.share - a.share);
   const double at_last =
       c.distance + (c.distance - b.distance) * (1 - c.share) / (c.share - b.share);
   // A place next to an end says nothing of the slope there.
-  const double before = a.share > kApart ? top_of_parabola({0, 0}, a, b) : 0;
-  const double after = 1 - c.share > kApart ? top_of_parabola(b, c, {1, 0}) : 0;
+  const double before = a.share > apart ? top_of_parabola({0, 0}, a, b) : 0;
+  const double after = 1 - c.share > apart ? top_of_parabola(b, c, {1, 0}) : 0;
   return std::max({at_first, at_last, before, top_of_parabola(a, b, c), after});
 }
 

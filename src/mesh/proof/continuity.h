@@ -3,7 +3,6 @@
 // free variables", 2001.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -49,12 +48,10 @@ struct UnprovedNormals {
 class Patience {
  public:
   std::size_t failures() const { return failures_; }
-  void learn(bool has_proved) { failures_ = has_proved ? kMost : std::max(kLeast, failures_ / 2); }
+  void learn(bool has_proved) { failures_ = has_proved ? kSearchedTogether : failures_ / 2; }
 
  private:
-  static constexpr std::size_t kMost = 64;
-  static constexpr std::size_t kLeast = 4;
-  std::size_t failures_ = kMost;
+  std::size_t failures_ = kSearchedTogether;
 };
 
 /// The lines along which it is not proved that the tangents are continuous and r_u x r_v is not 0.
