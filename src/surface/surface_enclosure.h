@@ -69,7 +69,8 @@ class KnownHulls {
  private:
   /// They take 7 MB.
   static constexpr std::size_t kMostKnown = std::size_t{1} << 16;
-  /// A formula of fewer steps is computed in the time that it takes to keep a result: memory is far.
+  /// A formula of fewer steps is computed in the time that it takes to keep a result: memory is
+  /// far.
   static constexpr std::size_t kStepsToKeep = 100;
 
   const Surface& surface_;

@@ -12,6 +12,7 @@
 
 #include "base/numbers.h"
 #include "mesh/features/bisect_together.h"
+#include "mesh/features/removable.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
@@ -53,6 +54,7 @@ struct Search {
   int steps = 0;               ///< since heights were first known
   int misses = 0;              ///< evaluations that gave no value
   bool is_missed = false;      ///< the last one gave none
+  bool is_between = false;     ///< there is no value between the ends
   bool has_passed_by = false;  ///< LocatedDiscontinuity::has_passed_by
 };
 
@@ -154,7 +156,11 @@ void advance(Search& search, const Look& look, const BisectedVector& bisected) {
     return finish(search, at_last_digits(search, delta));
   }
   if (!is_finite(look.value)) {
-    if (search.misses == kMostMisses) return finish(search, Discontinuity::Pole);
+    if (search.misses == kMostMisses) {
+      // Between two sheets, as on (u-v)/abs(u-v), or at a pole: look_outward() tells.
+      search.is_between = bisected.are_positions && search.length < kSame;
+      return finish(search, search.is_between ? Discontinuity::Jump : Discontinuity::Pole);
+    }
     ++search.misses;
     search.is_missed = true;
     return;
@@ -252,8 +258,16 @@ void look_outward(const Surface& surface, std::span<const Bracket> gaps, std::sp
     const bool shrinks = gap_between(ends[0].value, ends[1].value) <
                          kShrinks * gap_between(ends[0].far, ends[1].far);
     if (!bisected.are_positions) continue;
-    if (ends[0].moves + ends[1].moves > kMostMoves) jump.found.kind = Discontinuity::Pole;
-    if (shrinks) jump.found.kind = Discontinuity::None;
+    const bool is_pole = ends[0].moves + ends[1].moves > kMostMoves;
+    if (is_pole) jump.found.kind = Discontinuity::Pole;
+    const auto is_noise = [&](std::size_t end) {
+      const std::size_t far = first + 2 * kFarOutward + end;
+      return moved_by_last_digit(points[far], uv[far]) > bisected.delta;
+    };
+    const bool is_closed =
+        jump.is_between && !is_pole &&
+        (gap_between(ends[0].value, ends[1].value) < bisected.delta || is_noise(0) || is_noise(1));
+    if (shrinks || is_closed) jump.found.kind = Discontinuity::None;
   }
 }
 

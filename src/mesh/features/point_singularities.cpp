@@ -123,11 +123,10 @@ std::vector<dvec2> directions_aside() {
   return result;
 }
 
-/// Positions around a place within the domain, `reach` ranges from it; empty if one of them is
-/// undefined.
-std::vector<dvec3> look_around(const Surface& surface, const dvec2& place,
-                               std::span<const dvec2> directions, double reach, unsigned threads) {
-  const ParameterBox domain = box_of(surface.domain);
+/// Places of the domain that are `reach` ranges from a place.
+std::vector<dvec2> places_around(const Domain& d, const dvec2& place,
+                                 std::span<const dvec2> directions, double reach) {
+  const ParameterBox domain = box_of(d);
   const dvec2 low = glm::min(domain.low, domain.high);
   const dvec2 high = glm::max(domain.low, domain.high);
   std::vector<dvec2> uv;
@@ -135,6 +134,13 @@ std::vector<dvec3> look_around(const Surface& surface, const dvec2& place,
     const dvec2 beside = place + reach * (high - low) * direction;
     if (beside == glm::clamp(beside, low, high)) uv.push_back(beside);
   }
+  return uv;
+}
+
+/// Positions at places_around(); empty if one of them is undefined.
+std::vector<dvec3> look_around(const Surface& surface, const dvec2& place,
+                               std::span<const dvec2> directions, double reach, unsigned threads) {
+  const std::vector<dvec2> uv = places_around(surface.domain, place, directions, reach);
   std::vector<dvec3> around;
   for (const SurfacePoint& point : evaluate(surface, uv, threads)) {
     if (!is_finite(point.position)) return {};
@@ -319,6 +325,28 @@ std::vector<std::optional<dvec2>> find_point_singularities(const Surface& surfac
 bool has_limits_aside(const Surface& surface, const dvec2& place, double diagonal,
                       unsigned threads) {
   return !limits_aside(surface, place, kLimitsAgree * diagonal, threads).empty();
+}
+
+std::vector<std::optional<PointBeside>> points_beside_jumps(const Surface& surface,
+                                                            std::span<const dvec2> places,
+                                                            double diagonal, unsigned threads) {
+  const std::vector<dvec2> directions = many_directions();
+  std::vector<std::optional<PointBeside>> result;
+  for (const dvec2& place : places) {
+    const std::vector<dvec2> around =
+        places_around(surface.domain, place, directions, kReach * kApproach.back());
+    const std::vector<SurfacePoint> points = evaluate(surface, around, threads);
+    std::size_t leaps = 0;
+    bool are_defined = !points.empty();
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const dvec3& next = points[(k + 1) % points.size()].position;
+      are_defined = are_defined && is_finite(points[k].position);
+      if (glm::distance(points[k].position, next) > kNearly * diagonal) ++leaps;
+    }
+    const bool are_few = are_defined && leaps > 0 && leaps <= kLimitsOfLines;
+    result.push_back(are_few ? std::optional(PointBeside{around[0], points[0]}) : std::nullopt);
+  }
+  return result;
 }
 
 std::vector<PointSingularity> classify_points(const Surface& surface, std::span<const dvec2> places,

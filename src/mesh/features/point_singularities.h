@@ -59,6 +59,21 @@ std::vector<std::optional<dvec2>> find_point_singularities(
 bool has_limits_aside(const Surface& surface, const dvec2& place, double diagonal,
                       unsigned threads);
 
+/// Up to 32 limits at a point are those of up to 16 lines of jumps through it.
+inline constexpr std::size_t kLimitsOfLines = 32;
+
+/// A point of the surface 1e-12 ranges from a place.
+struct PointBeside {
+  dvec2 uv;
+  SurfacePoint point;
+};
+/// A point of one of the sheets that meet at a place without a value, where lines of jumps do, as
+/// on (u-v)/abs(u-v). Nothing where other ways to the place have other limits. `diagonal`: of a box
+/// around the surface.
+std::vector<std::optional<PointBeside>> points_beside_jumps(const Surface& surface,
+                                                            std::span<const dvec2> places,
+                                                            double diagonal, unsigned threads);
+
 /// Classifies each place by the surface around it. `diagonal`: of a box around the surface.
 std::vector<PointSingularity> classify_points(const Surface& surface, std::span<const dvec2> places,
                                               double diagonal, unsigned threads);

@@ -43,8 +43,9 @@ std::optional<dvec3> middle_of_pairs(std::span<const NearbyLook> looks) {
 /// The limit on which all known looks agree.
 Beside judge(std::span<const NearbyLook> looks, double diagonal) {
   Beside beside;
-  beside.is_alone =
-      std::ranges::all_of(looks, [](const NearbyLook& look) { return look.known.has_value(); });
+  const auto is_known = [](const NearbyLook& look) { return look.known.has_value(); };
+  beside.is_alone = std::ranges::all_of(looks, is_known);
+  beside.is_within = std::ranges::all_of(looks.first(kFourWays.size()), is_known);
   Bounds bounds;
   for (const NearbyLook& look : looks) {
     beside.is_defined = beside.is_defined || look.is_defined;
@@ -58,10 +59,14 @@ Beside judge(std::span<const NearbyLook> looks, double diagonal) {
 
 }  // namespace
 
-bool is_rounding(const SurfacePoint& point, const dvec2& uv, double diagonal) {
+double moved_by_last_digit(const SurfacePoint& point, const dvec2& uv) {
   const double moved =
       safe_length(point.r_u) * std::fabs(uv.x) + safe_length(point.r_v) * std::fabs(uv.y);
-  return std::numeric_limits<double>::epsilon() * moved > kLimitsAgree * diagonal;
+  return std::numeric_limits<double>::epsilon() * moved;
+}
+
+bool is_rounding(const SurfacePoint& point, const dvec2& uv, double diagonal) {
+  return moved_by_last_digit(point, uv) > kLimitsAgree * diagonal;
 }
 
 dvec3 rounding_by_parameters(const SurfacePoint& point, const dvec2& uv, const Domain& domain) {

@@ -15,6 +15,7 @@ namespace saddle {
 struct Beside {
   bool is_defined = false;     ///< at one of the looks at least
   bool is_alone = false;       ///< the position is known at all looks
+  bool is_within = false;      ///< it is on both sides along both axes
   std::optional<dvec3> limit;  ///< the position on which all looks agree
 };
 
@@ -23,9 +24,11 @@ struct Beside {
 std::vector<Beside> look_beside(const Surface& surface, std::span<const dvec2> places,
                                 double diagonal, unsigned threads, std::size_t& count);
 
-/// Whether a position is rounding: by its tangents, the last digit of the parameters moves it by
-/// more than kLimitsAgree. (u^3 - v^3) / (u - v) is rounding where u and v are neighbouring
-/// doubles.
+/// How far the last digit of the parameters moves a point, by its tangents.
+double moved_by_last_digit(const SurfacePoint& point, const dvec2& uv);
+
+/// Whether a position is rounding: the last digit of the parameters moves it by more than
+/// kLimitsAgree. (u^3 - v^3) / (u - v) is rounding where u and v are neighbouring doubles.
 bool is_rounding(const SurfacePoint& point, const dvec2& uv, double diagonal);
 
 /// The most by which rounding of the parameters moves a point, along each axis; 0 where the

@@ -225,9 +225,8 @@ class FeatureTracer {
     std::ranges::transform(sides, normals.begin(), [&](const Side& side) {
       return std::array{front * normal[side[0]], front * normal[side[1]]};
     });
-    const auto found =
-        find_creases(tree_.surface(), lines, normals, options_.threads, tree_.edges().patience(),
-                     tree_.effort().looks());
+    const auto found = find_creases(tree_.surface(), lines, normals, options_.threads,
+                                    tree_.edges().patience(), tree_.effort().looks());
     std::vector<Side> creased;
     std::vector<LocatedDiscontinuity> creases;
     for (std::size_t k = 0; k < sides.size(); ++k) {

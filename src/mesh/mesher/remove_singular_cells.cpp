@@ -24,8 +24,6 @@ namespace {
 
 /// At most 4,096 leaves are searched for point singularities; most take one proof.
 constexpr std::size_t kMostSingularities = 4096;
-/// Up to 32 limits at a point are those of up to 16 lines of jumps through it.
-constexpr std::size_t kLimitsOfLines = 32;
 
 /// A box around a place, twice as large as `box`, within the domain.
 ParameterBox box_around(const dvec2& place, const ParameterBox& box, const Domain& d) {

@@ -12,6 +12,7 @@
 #include "mesh/features/singular.h"
 #include "mesh/grid/weld.h"
 #include "mesh/model/tolerances.h"
+#include "surface/normal.h"
 
 namespace saddle {
 
@@ -144,17 +145,40 @@ void VertexGeometry::fill_removable(std::span<const std::uint32_t> undefined, un
   const std::vector<Beside> beside = look_beside(undefined, threads);
   const double diagonal = grid_.mesh.bounds.diagonal();
   std::vector<std::uint32_t> singularities;
+  std::vector<std::uint32_t> within;  // the surface, but without a limit
   for (std::size_t k = 0; k < undefined.size(); ++k) {
     const dvec2& uv = grid_.mesh.uv[undefined[k]];
     const bool has_limit = beside[k].limit && !(beside[k].is_alone &&
                                                 has_limits_aside(surface_, uv, diagonal, threads));
     if (has_limit) {
       fill(undefined[k], *beside[k].limit);
+    } else if (beside[k].is_within) {
+      within.push_back(undefined[k]);
     } else if (beside[k].is_defined) {
       singularities.push_back(undefined[k]);
     }
   }
+  fill_at_jumps(within, threads, singularities);
   classify(singularities, threads);
+}
+
+/// Moves vertices without a value on lines of jumps to one of the sheets there. Others go to
+/// `rest`.
+void VertexGeometry::fill_at_jumps(std::span<const std::uint32_t> vertices, unsigned threads,
+                                   std::vector<std::uint32_t>& rest) {
+  std::vector<dvec2> places;
+  for (const std::uint32_t vertex : vertices) places.push_back(grid_.mesh.uv[vertex]);
+  const auto points = points_beside_jumps(surface_, places, grid_.mesh.bounds.diagonal(), threads);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (!points[k]) {
+      rest.push_back(vertices[k]);
+      continue;
+    }
+    const auto& [uv, point] = *points[k];
+    grid_.mesh.uv[vertices[k]] = uv;
+    fill(vertices[k], point.position);
+    if (const auto normal = known_normal(point, surface_.flip)) set_normal(vertices[k], *normal);
+  }
 }
 
 /// Vertices whose positions are rounding keep these where nothing better is known.
@@ -239,7 +263,8 @@ std::uint32_t VertexGeometry::add_between(std::span<const Between> places, unsig
     const dvec2 from = grid_.mesh.uv[between.a];
     const dvec2 whole = grid_.mesh.uv[between.b] - from;
     const dvec2 part = between.uv - from;
-    double share = whole.x != 0 ? part.x / whole.x : part.y / whole.y;
+    const bool is_along_u = std::fabs(whole.x) > std::fabs(whole.y);
+    double share = is_along_u ? part.x / whole.x : part.y / whole.y;
     if (share < kSame || share > 1 - kSame) share = std::round(share);
     inner.push_back(
         {glm::mix(vertices_.place_between(between.a), vertices_.place_between(between.b), share),

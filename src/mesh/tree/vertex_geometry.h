@@ -118,6 +118,8 @@ class VertexGeometry {
   void finish_new(std::span<const std::uint32_t> vertices, unsigned threads);
   void repair_root_grid(unsigned threads);
   void fill_removable(std::span<const std::uint32_t> undefined, unsigned threads);
+  void fill_at_jumps(std::span<const std::uint32_t> vertices, unsigned threads,
+                     std::vector<std::uint32_t>& rest);
   void note_rounding(std::span<const std::size_t> vertices, std::span<const SurfacePoint> points);
   void replace_rounding(unsigned threads);
   std::vector<Beside> look_beside(std::span<const std::uint32_t> vertices, unsigned threads);

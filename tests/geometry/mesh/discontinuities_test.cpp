@@ -112,6 +112,26 @@ TEST(JumpSearch, FindsJumpsToAnUprightRoot) {
 /// Three jumps as far apart as the step of a difference, 1e-5 of the line and less.
 const char* const kThreeSteps = "(u>0.3?1:0)-2*(u>0.30001?1:0)+3*(u>0.300015?1:0)";
 
+TEST(JumpSearch, FindsJumpsWithoutAValueBetweenTheirSides) {
+  const Line line = {dvec2(-1, 0.25), dvec2(1, 0.25)};
+  const auto kind_of = [&](const char* z) {
+    std::size_t work = 0;
+    const auto found =
+        find_discontinuities(height_field(z), std::span(&line, 1), 0.01, 1, work)[0];
+    if (found.kind == Discontinuity::Jump) {
+      EXPECT_NEAR(found.ends[0].x, 0.25, 1e-6) << z;
+      EXPECT_NEAR(found.ends[1].x, 0.25, 1e-6) << z;
+    }
+    return found.kind;
+  };
+  for (const char* z : {"(u-v)/abs(u-v)", "(u^2-v^2)/abs(u^2-v^2)*(u+1)", "abs(u-v)/(u-v)+u"})
+    EXPECT_EQ(kind_of(z), Discontinuity::Jump) << z;
+  for (const char* z : {"1/(u-v)", "1/(u-v)^2", "ln(abs(u-v))"})
+    EXPECT_EQ(kind_of(z), Discontinuity::Pole) << z;
+  for (const char* z : {"sin(u-v)/(u-v)", "(u-v)^2/abs(u-v)", "(u^3-v^3)/(u-v)"})
+    EXPECT_EQ(kind_of(z), Discontinuity::None) << z;
+}
+
 TEST(JumpSearch, FindsAllJumpsOfALineAtOnce) {
   const Surface steps = height_field(kThreeSteps, {-1, 2, -1, 1});
   for (const Line& line :

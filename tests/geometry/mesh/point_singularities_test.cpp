@@ -201,6 +201,34 @@ TEST(Holes, ThatAreRoundingInPlaceOf0Over0AreFilled) {
   }
 }
 
+TEST(Holes, BetweenSheetsAreTakenToOneOfThem) {
+  const auto at = [](const char* z, const dvec2& place) {
+    const std::vector<dvec2> places = {place};
+    return points_beside_jumps(height_field(z), places, 3, 1).at(0);
+  };
+  const auto beside = at("(u-v)/abs(u-v)", {0.5, 0.5});
+  ASSERT_TRUE(beside.has_value());
+  EXPECT_EQ(std::fabs(beside->point.position.z), 1);
+  EXPECT_LT(glm::distance(beside->uv, dvec2(0.5)), 1e-11);
+  EXPECT_TRUE(at("(u^2-v^2)/abs(u^2-v^2)", {0, 0}));  // where two lines cross
+  EXPECT_TRUE(at("(u-v)/abs(u-v)", {1, 1}));          // at the corner of the domain
+  EXPECT_FALSE(at("u*v/(u^2+v^2)", {0, 0}));          // many limits
+  EXPECT_FALSE(at("1/(u-v)", {0.5, 0.5}));
+  EXPECT_FALSE(at("sqrt(u-v)", {0.5, 0.5}));
+  EXPECT_FALSE(at("sin(u-v)/(u-v)", {0.5, 0.5}));  // one limit
+}
+
+TEST(Holes, BetweenSheetsCostNoMoreThanOtherJumps) {
+  // In cells whose corners are on the jump, and in others.
+  for (const char* z : {"(u-v)/abs(u-v)", "(u-0.31*v)/abs(u-0.31*v)", "(u^2-v^2)/abs(u^2-v^2)"}) {
+    const MeshResult result = try_mesh(height_field(z), within_share(1e-3, 3)).value();
+    EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
+    EXPECT_LT(result.mesh.triangles.size(), 2000U) << z;
+    EXPECT_GT(result.report.jump_count, 0U) << z;
+    EXPECT_EQ(result.report.undefined_fraction, 0) << z;
+  }
+}
+
 TEST(Holes, ThatHaveALimitAreFilled) {
   MeshRequest options = within_share(1e-3, 3);
   options.lines = {17, 17};  // one each through the middle
