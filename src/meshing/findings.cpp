@@ -41,14 +41,9 @@ std::string range(const std::string& name, double low, double high) {
   return range_text(name, low, high, kToldDigits);
 }
 
-/// The range between two faces of a box, either of which may be infinitely far. Of a thin slice far
-/// from 0 the first digits say nothing.
+/// The range between two faces of a box, either of which may be infinitely far.
 std::string clipped_range(const char* name, double low, double high) {
-  if (std::isfinite(low) && std::isfinite(high)) {
-    const double far = std::max(std::fabs(low), std::fabs(high));
-    const int more = std::max(0, static_cast<int>(std::ceil(std::log10(far / (high - low)))));
-    return range_text(name, low, high, kToldDigits + more);
-  }
+  if (std::isfinite(low) && std::isfinite(high)) return full_range_text(name, low, high);
   if (std::isfinite(low)) return std::string(name) + " from " + number(low) + " up";
   if (std::isfinite(high)) return std::string(name) + " up to " + number(high);
   return "";

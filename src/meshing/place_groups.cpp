@@ -158,6 +158,14 @@ std::string range_text(const std::string& name, double low, double high, int dig
   return name + " = " + from + (from == to ? "" : ":" + to);
 }
 
+std::string full_range_text(const std::string& name, double low, double high) {
+  int digits = kToldDigits;
+  while (digits < std::numeric_limits<double>::max_digits10 &&
+         rounded(low, digits) == rounded(high, digits))
+    ++digits;
+  return range_text(name, low, high, digits);
+}
+
 std::string PlaceGroup::text(const Domain& domain, int digits) const {
   const bool is_box = low.x < high.x && low.y < high.y;
   return (is_box ? "within " : "") + range_text(domain.names[0], low.x, high.x, digits) + ", " +

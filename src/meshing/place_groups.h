@@ -32,6 +32,8 @@ std::vector<std::size_t> indices_of(std::size_t count);
 
 /// "u = 1", "u = 1:2".
 std::string range_text(const std::string& name, double low, double high, int digits);
+/// The same with kToldDigits, or more where these do not tell the ends apart.
+std::string full_range_text(const std::string& name, double low, double high);
 
 /// A place with a parameter of 0 where it is below `rounding`, as a part of its range: a bisection
 /// may end at 1e-20 where 0 is meant.

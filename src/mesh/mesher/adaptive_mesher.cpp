@@ -117,11 +117,7 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
   }
   if (stops_early()) return;
   ask_forgotten_samples();
-  for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-    const Leaf& leaf = mesh_.leaves[k];
-    if (!leaf.state.is_cut_by_feature() || !is_small(leaf)) continue;
-    if (direction_.is_cut_unclearly(k)) leave_out(k);
-  }
+  leave_out_unclear();
   const bool is_finished = !reached_limit_ || !is_refined();
   if (is_finished) singularities_ = leave_out_singularities(surface_, limits_, tree_, mesh_);
   cut_walls(limits_, is_finished, tree_, mesh_);
@@ -364,6 +360,15 @@ bool AdaptiveMesher::is_small(const Leaf& leaf) const {
   if (leaf.state.leads_to_pole()) return false;
   if (leaf.size_u() < 2 && leaf.size_v() < 2) return true;
   return halvings_of_root(leaf) >= kBoundaryHalvings && direction_.is_too_small_to_see(leaf);
+}
+
+/// Leaves out the small leaves that are cut unclearly.
+void AdaptiveMesher::leave_out_unclear() {
+  for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+    const Leaf& leaf = mesh_.leaves[k];
+    if (!leaf.state.is_cut_by_feature() || !is_small(leaf)) continue;
+    if (direction_.is_cut_unclearly(k)) leave_out(k);
+  }
 }
 
 /// Leaves out a failed leaf that is small: its triangles may be walls between sheets. The vertices

@@ -90,6 +90,7 @@ class AdaptiveMesher {
   Oscillation oscillation() const;
   bool is_small(const Leaf& leaf) const;
   bool leave_out(std::size_t number);
+  void leave_out_unclear();
   std::vector<Leaf> halve_missed();
   std::optional<std::array<Leaf, 2>> halve_cut(std::size_t number);
   bool stop_if_done(Leaf& leaf, const Oscillation& oscillation);

@@ -125,6 +125,12 @@ class FacesAround {
   bool changes_ = false;
 };
 
+/// Whether a feature of a side from `vertex` counts on the side before: a pole that leaves the clip
+/// box at an undefined vertex counts once.
+bool is_counted_before(const EdgeFeature& feature, std::uint32_t vertex, const CellTree& tree) {
+  return feature.kind == FeatureKind::Face && !tree.geometry().is_defined(vertex);
+}
+
 void add_kind(const EdgeFeature& feature, FeatureCount& count) {
   if (feature.kind == FeatureKind::Crease) ++count.creases;
   count.has_cliffs = count.has_cliffs || feature.kind == FeatureKind::Cliff;
@@ -147,9 +153,7 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
     if (side == nullptr) return;
     count.leads_to_pole = count.leads_to_pole || side->pole != kNoIndex;
     const std::optional<EdgeFeature>& feature = side->feature;
-    if (!feature) return;
-    // A pole that leaves the clip box at an undefined vertex counts once.
-    if (feature->kind == FeatureKind::Face && !tree.geometry().is_defined(a)) return;
+    if (!feature || is_counted_before(*feature, a, tree)) return;
     has_jumps = has_jumps || feature->kind == FeatureKind::Jump;
     const bool on_side_of_u =
         tree.vertices().place_between(a).x == tree.vertices().place_between(b).x;

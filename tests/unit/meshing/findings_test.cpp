@@ -123,6 +123,11 @@ TEST(Warnings, NameTheFacesOfTheBoxThatCut) {
   EXPECT_EQ(mesh_warnings("s", cut, kDomain),
             Warnings{"s: x, y and z are out of proportion: clipped to x up to 4, y = -2:5, z from "
                      "3 up; --clip off shows all of it"});
+  // A thin slice far from 0 is alike in its first digits.
+  cut.report.clip = Bounds{{-kInfinity, -kInfinity, 273653}, {kInfinity, kInfinity, 273731}};
+  EXPECT_EQ(mesh_warnings("s", cut, kDomain),
+            Warnings{"s: x, y and z are out of proportion: clipped to z = 2.7365e+05:2.7373e+05; "
+                     "--clip off shows all of it"});
   cut.report.clip = Bounds{dvec3(-kInfinity), dvec3(kInfinity)};
   EXPECT_TRUE(mesh_warnings("s", cut, kDomain).empty());
 }
