@@ -113,7 +113,7 @@ class WholeMeshError {
                                   double tolerance) const;
   std::vector<Nearest> search_above(std::span<const Expected> places, double least,
                                     double tolerance) const;
-  /// The places that are or seem to be farther than `least`. Those that a descent leaves within
+  /// The places that are or seem to be farther than `least`. Places that a descent leaves within
   /// `enough` are not searched: they only show where to climb.
   std::vector<Nearest> all_above(std::span<const MeshPlace> places, double least,
                                  double enough) const;

@@ -43,8 +43,8 @@ struct UnprovedNormals {
   bool only_cusps = false;
 };
 
-/// How many proofs of a call may fail, beyond one for each line proved. Of some surfaces no bounds
-/// prove anything: half as many after a call that proves nothing.
+/// How many proofs of a call may fail, beyond one for each line proved: half as many after a call
+/// that proves nothing, as no bounds prove anything of some surfaces.
 class Patience {
  public:
   std::size_t failures() const { return failures_; }

@@ -116,8 +116,7 @@ TEST(JumpSearch, FindsJumpsWithoutAValueBetweenTheirSides) {
   const Line line = {dvec2(-1, 0.25), dvec2(1, 0.25)};
   const auto kind_of = [&](const char* z) {
     std::size_t work = 0;
-    const auto found =
-        find_discontinuities(height_field(z), std::span(&line, 1), 0.01, 1, work)[0];
+    const auto found = find_discontinuities(height_field(z), std::span(&line, 1), 0.01, 1, work)[0];
     if (found.kind == Discontinuity::Jump) {
       EXPECT_NEAR(found.ends[0].x, 0.25, 1e-6) << z;
       EXPECT_NEAR(found.ends[1].x, 0.25, 1e-6) << z;
