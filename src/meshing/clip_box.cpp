@@ -144,9 +144,13 @@ std::optional<Bounds> readable_box(const Bounds& whole, std::span<const dvec3> p
   // The part is narrower than the whole, and so again is what is in proportion to it.
   for (;;) {
     const double length = kTall * usual;
-    part = fullest_window(part, axis, length);
     // A part is worth a picture if it has more samples than one of the columns of a probe.
-    if (part.size() <= points.size() / kDomainParts) break;
+    const auto is_worth = [&](std::span<const dvec3> some) {
+      return some.size() > points.size() / kDomainParts;
+    };
+    const std::span<const dvec3> dense = fullest_window(part, axis, length);
+    part = is_worth(dense) ? dense : fullest_of(part, axis, length);
+    if (!is_worth(part)) break;
     box = Bounds{dvec3(-kInfinity), dvec3(kInfinity)};
     const double first = part.front()[axis];
     if (part.data() != sorted.data()) box->low[axis] = first;
