@@ -329,13 +329,15 @@ bool has_limits_aside(const Surface& surface, const dvec2& place, double diagona
 
 std::vector<std::optional<PointBeside>> points_beside_jumps(const Surface& surface,
                                                             std::span<const dvec2> places,
-                                                            double diagonal, unsigned threads) {
+                                                            double diagonal, unsigned threads,
+                                                            std::size_t& count) {
   const std::vector<dvec2> directions = many_directions();
   std::vector<std::optional<PointBeside>> result;
   for (const dvec2& place : places) {
     const std::vector<dvec2> around =
         places_around(surface.domain, place, directions, kReach * kApproach.back());
     const std::vector<SurfacePoint> points = evaluate(surface, around, threads);
+    count += points.size();
     std::size_t leaps = 0;
     bool are_defined = !points.empty();
     for (std::size_t k = 0; k < points.size(); ++k) {

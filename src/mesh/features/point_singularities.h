@@ -69,10 +69,11 @@ struct PointBeside {
 };
 /// A point of one of the sheets that meet at a place without a value, where lines of jumps do, as
 /// on (u-v)/abs(u-v). Nothing where other ways to the place have other limits. `diagonal`: of a box
-/// around the surface.
+/// around the surface. Adds to `count` the number of points evaluated.
 std::vector<std::optional<PointBeside>> points_beside_jumps(const Surface& surface,
                                                             std::span<const dvec2> places,
-                                                            double diagonal, unsigned threads);
+                                                            double diagonal, unsigned threads,
+                                                            std::size_t& count);
 
 /// Classifies each place by the surface around it. `diagonal`: of a box around the surface.
 std::vector<PointSingularity> classify_points(const Surface& surface, std::span<const dvec2> places,

@@ -13,6 +13,7 @@
 #include "mesh/grid/weld.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 
@@ -168,7 +169,11 @@ void VertexGeometry::fill_at_jumps(std::span<const std::uint32_t> vertices, unsi
                                    std::vector<std::uint32_t>& rest) {
   std::vector<dvec2> places;
   for (const std::uint32_t vertex : vertices) places.push_back(grid_.mesh.uv[vertex]);
-  const auto points = points_beside_jumps(surface_, places, grid_.mesh.bounds.diagonal(), threads);
+  std::size_t looks = 0;
+  const auto points =
+      points_beside_jumps(surface_, places, grid_.mesh.bounds.diagonal(), threads, looks);
+  evaluations_ += looks;
+  effort_.add_places(looks);
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     if (!points[k]) {
       rest.push_back(vertices[k]);
@@ -258,12 +263,13 @@ void VertexGeometry::note_rounding(std::span<const std::size_t> vertices,
 }
 
 std::uint32_t VertexGeometry::add_between(std::span<const Between> places, unsigned threads) {
+  const dvec2 range = box_of(surface_.domain).size();
   std::vector<InnerPlace> inner;
   for (const Between& between : places) {
     const dvec2 from = grid_.mesh.uv[between.a];
     const dvec2 whole = grid_.mesh.uv[between.b] - from;
     const dvec2 part = between.uv - from;
-    const bool is_along_u = std::fabs(whole.x) > std::fabs(whole.y);
+    const bool is_along_u = std::fabs(whole.x / range.x) > std::fabs(whole.y / range.y);
     double share = is_along_u ? part.x / whole.x : part.y / whole.y;
     if (share < kSame || share > 1 - kSame) share = std::round(share);
     inner.push_back(

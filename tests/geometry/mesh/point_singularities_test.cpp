@@ -204,7 +204,8 @@ TEST(Holes, ThatAreRoundingInPlaceOf0Over0AreFilled) {
 TEST(Holes, BetweenSheetsAreTakenToOneOfThem) {
   const auto at = [](const char* z, const dvec2& place) {
     const std::vector<dvec2> places = {place};
-    return points_beside_jumps(height_field(z), places, 3, 1).at(0);
+    std::size_t count = 0;
+    return points_beside_jumps(height_field(z), places, 3, 1, count).at(0);
   };
   const auto beside = at("(u-v)/abs(u-v)", {0.5, 0.5});
   ASSERT_TRUE(beside.has_value());
