@@ -175,7 +175,14 @@ void mirror_seams(const Seams& seams, unsigned threads, const Grid& grid, CellTr
     pairs.push_back({vertex, twin});
   }
   tree.geometry().evaluate(threads);
-  for (const auto& [a, b] : pairs) points.unite(a, b);
+  // Where a jump meets a seam, rounding may leave partners on different sheets.
+  const auto are_apart = [&](std::uint32_t a, std::uint32_t b) {
+    return tree.geometry().is_defined(a) && tree.geometry().is_defined(b) &&
+           !is_one_point(tree.surface(), grid, a, b);
+  };
+  for (const auto& [a, b] : pairs) {
+    if (!are_apart(a, b)) points.unite(a, b);
+  }
 }
 
 void join_features(const Seams& seams, const Grid& grid, const CellTree& tree, PointUnion& points) {
