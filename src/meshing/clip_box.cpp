@@ -49,7 +49,7 @@ Bounds bounds_of(std::span<const dvec3> points) {
 
 /// The points of the window of this length along an axis that holds most of them. `sorted` along
 /// that axis.
-std::span<const dvec3> fullest_of(std::span<const dvec3> sorted, int axis, double length) {
+std::span<const dvec3> fullest_window(std::span<const dvec3> sorted, int axis, double length) {
   std::size_t best = 0;
   std::size_t most = 0;
   std::size_t end = 0;
@@ -62,13 +62,13 @@ std::span<const dvec3> fullest_of(std::span<const dvec3> sorted, int axis, doubl
   return sorted.subspan(best, most);
 }
 
-/// The same, of windows within the fullest one of each greater length: short ones may hold a few
-/// points by chance, wherever they are. Source: D. R. Bickel, R. Fruhwirth, "On a fast, robust
+/// The fullest window within the fullest one of twice the length, and so on: short ones may hold a
+/// few points by chance, wherever they are. Source: D. R. Bickel, R. Fruhwirth, "On a fast, robust
 /// estimator of the mode", 2006.
-std::span<const dvec3> fullest_window(std::span<const dvec3> sorted, int axis, double length) {
+std::span<const dvec3> densest_window(std::span<const dvec3> sorted, int axis, double length) {
   while (!sorted.empty() && sorted.back()[axis] - sorted.front()[axis] > length) {
     const double half = 0.5 * (sorted.back()[axis] - sorted.front()[axis]);
-    sorted = fullest_of(sorted, axis, std::max(half, length));
+    sorted = fullest_window(sorted, axis, std::max(half, length));
   }
   return sorted;
 }
@@ -141,15 +141,15 @@ std::optional<Bounds> readable_box(const Bounds& whole, std::span<const dvec3> p
   std::ranges::sort(sorted, {}, [axis](const dvec3& p) { return p[axis]; });
   std::optional<Bounds> box;
   std::span<const dvec3> part = sorted;
+  // A part is worth a picture if it has more samples than one of the columns of a probe.
+  const auto is_worth = [&](std::span<const dvec3> some) {
+    return some.size() > points.size() / kDomainParts;
+  };
   // The part is narrower than the whole, and so again is what is in proportion to it.
   for (;;) {
     const double length = kTall * usual;
-    // A part is worth a picture if it has more samples than one of the columns of a probe.
-    const auto is_worth = [&](std::span<const dvec3> some) {
-      return some.size() > points.size() / kDomainParts;
-    };
-    const std::span<const dvec3> dense = fullest_window(part, axis, length);
-    part = is_worth(dense) ? dense : fullest_of(part, axis, length);
+    const std::span<const dvec3> dense = densest_window(part, axis, length);
+    part = is_worth(dense) ? dense : fullest_window(part, axis, length);
     if (!is_worth(part)) break;
     box = Bounds{dvec3(-kInfinity), dvec3(kInfinity)};
     const double first = part.front()[axis];
