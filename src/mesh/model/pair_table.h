@@ -1,5 +1,5 @@
-// A hash table from pairs of corners or points to numbers, for millions of pairs: open addressing
-// in one array, where std::unordered_map allocates memory for each.
+// A hash table from pairs of corners or points to small values, for millions of pairs: open
+// addressing in one array, where std::unordered_map allocates memory for each.
 #pragma once
 
 #include <algorithm>
@@ -19,24 +19,21 @@ inline Pair pair_of(std::uint32_t a, std::uint32_t b) {
   return (Pair{low} << 32) | high;
 }
 
-class PairTable {
+template <class Value>
+class PairMap {
  public:
   std::size_t size() const { return size_; }
 
   /// Inserts `value` unless the pair has a value. Returns the pair's value, and whether it is new.
-  std::pair<std::uint32_t, bool> insert(Pair pair, std::uint32_t value = 0) {
-    // At most half of the slots are taken, so that searches are short.
-    if (2 * (size_ + 1) > slots_.size()) grow();
-    Slot& slot = slots_[place_of(pair)];
-    const bool is_new = slot.pair == kNone;
-    if (is_new) {
-      slot = {pair, value};
-      ++size_;
-    }
-    return {slot.value, is_new};
+  std::pair<Value, bool> insert(Pair pair, Value value = {}) {
+    const auto [slot, is_new] = slot_for(pair, value);
+    return {slot->value, is_new};
   }
 
-  std::optional<std::uint32_t> find(Pair pair) const {
+  /// The pair's value, `Value()` if it is new. Holds until the next pair is inserted.
+  Value& operator[](Pair pair) { return slot_for(pair, {}).first->value; }
+
+  std::optional<Value> find(Pair pair) const {
     if (size_ == 0) return std::nullopt;
     const Slot& slot = slots_[place_of(pair)];
     return slot.pair == kNone ? std::nullopt : std::optional(slot.value);
@@ -56,8 +53,21 @@ class PairTable {
 
   struct Slot {
     Pair pair = kNone;
-    std::uint32_t value = 0;
+    Value value = {};
   };
+
+  /// The pair's slot, with `value` if it is new, and whether it is.
+  std::pair<Slot*, bool> slot_for(Pair pair, Value value) {
+    // At most half of the slots are taken, so that searches are short.
+    if (2 * (size_ + 1) > slots_.size()) grow();
+    Slot& slot = slots_[place_of(pair)];
+    const bool is_new = slot.pair == kNone;
+    if (is_new) {
+      slot = {pair, value};
+      ++size_;
+    }
+    return {&slot, is_new};
+  }
 
   /// The pair's slot, or the free one where it would be inserted. Source: D. E. Knuth, "The Art of
   /// Computer Programming" 3, section 6.4: multiplicative hashing, linear probing.
@@ -79,5 +89,7 @@ class PairTable {
   std::vector<Slot> slots_;
   std::size_t size_ = 0;
 };
+
+using PairTable = PairMap<std::uint32_t>;
 
 }  // namespace saddle

@@ -21,22 +21,26 @@ bool SearchCount::may_be_found(std::size_t for_each) const {
   return sought <= kSoughtInVain + for_each * found;
 }
 
-EdgeRecord& EdgeTable::record(std::uint32_t a, std::uint32_t b) {
-  const auto [at, is_new] =
-      places_.insert(pair_of(a, b), static_cast<std::uint32_t>(records_.size()));
-  if (is_new) records_.push_back({side_of(a, b), {}});
-  return records_[at];
+/// The cut of a side, which has none of its parts if it is new.
+EdgeCut& EdgeTable::add_cut(std::uint32_t a, std::uint32_t b) {
+  EdgeFacts& facts = facts_of(a, b);
+  if (facts.cut == 0) {
+    cuts_.push_back({side_of(a, b), {}});
+    facts.cut = static_cast<std::uint32_t>(cuts_.size());
+  }
+  return cuts_[facts.cut - 1];
 }
 
 std::optional<EdgeFeature> EdgeTable::find_feature(std::uint32_t a, std::uint32_t b) const {
-  const EdgeRecord* const record = find(a, b);
-  return record != nullptr ? record->feature : std::nullopt;
+  const EdgeCut* const found = cut(a, b);
+  return found != nullptr ? found->feature : std::nullopt;
 }
 
 void EdgeTable::set_feature(std::uint32_t a, std::uint32_t b, std::optional<EdgeFeature> feature) {
-  EdgeRecord& edge = record(a, b);
-  if (!edge.is_searched) searched_.push_back(static_cast<std::uint32_t>(&edge - records_.data()));
-  edge.is_searched = true;
+  EdgeFacts& facts = facts_of(a, b);
+  facts.is_searched = 1;
+  if (!feature && facts.cut == 0) return;
+  EdgeCut& edge = add_cut(a, b);
   if (!edge.is_halved && edge.feature) vertex_count_ -= edge.feature->count_new_vertices();
   edge.feature = feature;
   if (!feature) return;
@@ -53,19 +57,19 @@ void EdgeTable::set_feature(std::uint32_t a, std::uint32_t b, std::optional<Edge
 
 void EdgeTable::discount_feature(std::uint32_t a, std::uint32_t b) {
   if (!feature(a, b)) return;
-  EdgeRecord& edge = record(a, b);
+  EdgeCut& edge = add_cut(a, b);
   if (!edge.is_halved) vertex_count_ -= edge.feature->count_new_vertices();
   edge.is_halved = true;
 }
 
 void EdgeTable::pass_on(std::uint32_t from, std::uint32_t middle, std::uint32_t to) {
-  const EdgeRecord* const whole = find(from, to);
-  if (whole == nullptr || !whole->is_proved) return;
-  if (!whole->feature || whole->feature->is_continuous()) {
+  if (facts(from, to).is_proved == 0) return;
+  const std::optional<EdgeFeature> whole = find_feature(from, to);
+  if (!whole || whole->is_continuous()) {
     pass_on_part(from, middle, std::nullopt);
     return pass_on_part(middle, to, std::nullopt);
   }
-  const EdgeFeature jumps = *whole->feature;  // a copy: records move
+  const EdgeFeature& jumps = *whole;
   if (jumps.kind != FeatureKind::Jump) return;
   const std::uint32_t first = jumps.first;
   const std::uint32_t second = first == from ? to : from;
@@ -104,18 +108,18 @@ void EdgeTable::pass_on(std::uint32_t from, std::uint32_t middle, std::uint32_t 
 /// A part without a jump may have a crease.
 void EdgeTable::pass_on_part(std::uint32_t a, std::uint32_t b,
                              const std::optional<EdgeFeature>& jumps) {
-  const EdgeRecord& part = record(a, b);
-  if (part.is_searched || part.is_continuous) return;
+  EdgeFacts& part = facts_of(a, b);
+  if (part.is_searched != 0 || part.is_continuous != 0) return;
+  part.is_proved = 1;
   if (jumps) {
     set_feature(a, b, jumps);
   } else {
-    set_continuous(a, b);
+    part.is_continuous = 1;
   }
-  set_proved(a, b);
 }
 
 void EdgeTable::set_leads_to_pole(std::uint32_t a, std::uint32_t b, const PoleEnds& ends) {
-  EdgeRecord& edge = record(a, b);
+  EdgeCut& edge = add_cut(a, b);
   if (edge.pole != kNoIndex) return;
   edge.pole = static_cast<std::uint32_t>(poles_.size());
   poles_.push_back(ends);
@@ -125,8 +129,8 @@ void EdgeTable::set_leads_to_pole(std::uint32_t a, std::uint32_t b, const PoleEn
 std::vector<EdgeTable::PoleEnds> EdgeTable::poles(const Mesh& mesh) const {
   std::vector<PoleEnds> poles = poles_;
   poles.insert(poles.end(), poles_beyond_faces_.begin(), poles_beyond_faces_.end());
-  for (const std::uint32_t number : searched_) {
-    const auto& feature = records_[number].feature;
+  for (const EdgeCut& cut : cuts_) {
+    const auto& feature = cut.feature;
     if (!feature || feature->kind != FeatureKind::Pole) continue;
     poles.push_back({mesh.uv[feature->beside_first], mesh.uv[feature->beside_second]});
   }
@@ -135,8 +139,8 @@ std::vector<EdgeTable::PoleEnds> EdgeTable::poles(const Mesh& mesh) const {
 
 std::vector<Side> EdgeTable::sides_with_features() const {
   std::vector<Side> result;
-  for (const std::uint32_t number : searched_) {
-    if (records_[number].feature) result.push_back(records_[number].side);
+  for (const EdgeCut& cut : cuts_) {
+    if (cut.feature) result.push_back(cut.side);
   }
   return result;
 }

@@ -94,16 +94,21 @@ struct EdgeFeature {
   }
 };
 
-/// The facts known of a side; a side without a record has none.
-struct EdgeRecord {
+/// What cuts a side.
+struct EdgeCut {
   Side side;
   std::optional<EdgeFeature> feature;
   std::uint32_t pole = kNoIndex;               ///< number of the pole that the side leads to
-  bool is_searched = false;                    ///< `feature` says what the search found
   bool is_halved = false;                      ///< the vertices of `feature` do not count
-  bool is_continuous = false;                  ///< positions are; normals need not be
-  bool is_proved = false;                      ///< no jump above the tolerance but in `feature`
   std::optional<dvec2> between_features = {};  ///< parameters; there are more than `feature`
+};
+
+/// The facts known of a side. Most sides have no cut, and there are millions of them.
+struct EdgeFacts {
+  std::uint32_t is_searched : 1 = 0;    ///< the cut's feature is what the search found
+  std::uint32_t is_continuous : 1 = 0;  ///< positions are; normals need not be
+  std::uint32_t is_proved : 1 = 0;      ///< no jump above the tolerance but in the cut's feature
+  std::uint32_t cut : 29 = 0;           ///< its number, from 1; 0 for none
 };
 
 /// Searches for what most surfaces do not have, and waves all over.
@@ -119,7 +124,7 @@ struct SearchCount {
   bool may_be_found(std::size_t for_each) const;
 };
 
-/// The records of all sides, in one hash table.
+/// The facts of all sides, in one hash table.
 class EdgeTable {
  public:
   /// The last places before a pole, in parameters, the first nearer to the side's first end.
@@ -133,28 +138,25 @@ class EdgeTable {
     return vertices_.is_beside_feature(a) && vertices_.is_beside_feature(b) ? find_feature(a, b)
                                                                             : std::nullopt;
   }
-  /// The facts of a side that may have a feature or lead to a pole, until a search files the next.
-  const EdgeRecord* find_cut(std::uint32_t a, std::uint32_t b) const {
+  /// The feature of a side, or the pole that it leads to, until a search files the next; null if
+  /// there is neither.
+  const EdgeCut* find_cut(std::uint32_t a, std::uint32_t b) const {
     const bool may_have_feature = vertices_.is_beside_feature(a) && vertices_.is_beside_feature(b);
-    return may_have_feature || !poles_.empty() ? find(a, b) : nullptr;
+    return may_have_feature || !poles_.empty() ? cut(a, b) : nullptr;
   }
   /// Whether a search for features has ended on a side.
-  bool is_searched(std::uint32_t a, std::uint32_t b) const {
-    const EdgeRecord* const record = find(a, b);
-    return record != nullptr && record->is_searched;
-  }
+  bool is_searched(std::uint32_t a, std::uint32_t b) const { return facts(a, b).is_searched != 0; }
   /// Files what a search found.
   void set_feature(std::uint32_t a, std::uint32_t b, std::optional<EdgeFeature> feature);
 
   /// Whether positions are known to be continuous along a side. Its normals need not be.
   bool is_continuous(std::uint32_t a, std::uint32_t b) const {
-    const EdgeRecord* const record = find(a, b);
-    return record != nullptr && record->is_continuous;
+    return facts(a, b).is_continuous != 0;
   }
-  void set_continuous(std::uint32_t a, std::uint32_t b) { record(a, b).is_continuous = true; }
+  void set_continuous(std::uint32_t a, std::uint32_t b) { facts_of(a, b).is_continuous = 1; }
 
   /// Files that bounds exclude jumps above the tolerance on a side but those of its feature.
-  void set_proved(std::uint32_t a, std::uint32_t b) { record(a, b).is_proved = true; }
+  void set_proved(std::uint32_t a, std::uint32_t b) { facts_of(a, b).is_proved = 1; }
   /// Files for both parts of a side what is proved of the whole, so that they need no search. Its
   /// jumps go to the parts that they are in, unless one is at the vertex `middle`.
   void pass_on(std::uint32_t from, std::uint32_t middle, std::uint32_t to);
@@ -165,29 +167,29 @@ class EdgeTable {
   }
   /// `between`: parameters between two of them.
   void set_has_more(std::uint32_t a, std::uint32_t b, const dvec2& between) {
-    record(a, b).between_features = between;
+    add_cut(a, b).between_features = between;
   }
   /// Parameters between two features of a side that has more than feature() tells.
   std::optional<dvec2> between_features(std::uint32_t a, std::uint32_t b) const {
-    const EdgeRecord* const record = find(a, b);
-    return record != nullptr ? record->between_features : std::nullopt;
+    const EdgeCut* const found = cut(a, b);
+    return found != nullptr ? found->between_features : std::nullopt;
   }
 
   /// Whether the surface is known to go to infinity across a side.
   bool leads_to_pole(std::uint32_t a, std::uint32_t b) const {
-    const EdgeRecord* const record = find(a, b);
-    return record != nullptr && record->pole != kNoIndex;
+    const EdgeCut* const found = cut(a, b);
+    return found != nullptr && found->pole != kNoIndex;
   }
   /// Keeps the first ends that are filed for a side.
   void set_leads_to_pole(std::uint32_t a, std::uint32_t b, const PoleEnds& ends);
   /// The ends of a side that leads to a pole.
   const PoleEnds& pole_between(std::uint32_t a, std::uint32_t b) const {
-    return poles_[find(a, b)->pole];
+    return poles_[cut(a, b)->pole];
   }
   /// Files a pole beyond a FeatureKind::Face.
   void add_pole_beyond_face(const PoleEnds& ends) { poles_beyond_faces_.push_back(ends); }
   bool has_poles() const { return has_pole_features_ || !poles_.empty(); }
-  /// The ends of all poles, found or cut, in the order of the searches.
+  /// The ends of all poles, found or cut, in the order in which they were found.
   std::vector<PoleEnds> poles(const Mesh& mesh) const;
 
   /// Edges of the domain join: a cliff that crosses one would need the same ends on both.
@@ -211,7 +213,7 @@ class EdgeTable {
   bool may_be_crossed(const Leaf& leaf) const {
     return has_features_ && crossed_cells_.contains(leaf);
   }
-  /// The sides with a feature, in the order of the searches.
+  /// The sides with a feature, in the order in which they were found.
   std::vector<Side> sides_with_features() const;
 
   /// Vertices that features add to sides which are not halved.
@@ -224,21 +226,24 @@ class EdgeTable {
   static constexpr std::size_t kSoughtForCliff = 64;
   static constexpr std::size_t kSoughtForFewJumps = 4;
 
-  const EdgeRecord* find(std::uint32_t a, std::uint32_t b) const {
-    const auto found = places_.find(pair_of(a, b));
-    return found ? &records_[*found] : nullptr;
+  EdgeFacts facts(std::uint32_t a, std::uint32_t b) const {
+    return facts_.find(pair_of(a, b)).value_or(EdgeFacts{});
   }
-  EdgeRecord& record(std::uint32_t a, std::uint32_t b);
+  EdgeFacts& facts_of(std::uint32_t a, std::uint32_t b) { return facts_[pair_of(a, b)]; }
+  const EdgeCut* cut(std::uint32_t a, std::uint32_t b) const {
+    const std::uint32_t number = facts(a, b).cut;
+    return number == 0 ? nullptr : &cuts_[number - 1];
+  }
+  EdgeCut& add_cut(std::uint32_t a, std::uint32_t b);
   void pass_on_part(std::uint32_t a, std::uint32_t b, const std::optional<EdgeFeature>& jumps);
   std::optional<EdgeFeature> find_feature(std::uint32_t a, std::uint32_t b) const;
 
   DyadicVertices& vertices_;
   RevisionClock& revisions_;
   Effort& effort_;
-  PairTable places_;  // in records_
-  std::vector<EdgeRecord> records_;
-  std::vector<std::uint32_t> searched_;  // records, in the order of the searches
-  std::vector<PoleEnds> poles_;          // of sides that lead to poles
+  PairMap<EdgeFacts> facts_;
+  std::vector<EdgeCut> cuts_;    // in the order in which they were found
+  std::vector<PoleEnds> poles_;  // of sides that lead to poles
   std::vector<PoleEnds> poles_beyond_faces_;
   CellMarks crossed_cells_;
   std::size_t vertex_count_ = 0;

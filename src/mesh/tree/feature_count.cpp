@@ -29,7 +29,7 @@ bool is_wide_strip(const EdgeFeature& feature, std::size_t strip, const Side& si
 bool has_cut(FeatureKind kind, const Leaf& leaf, const CellTree& tree) {
   bool has_cut = false;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    const EdgeRecord* const side = has_cut ? nullptr : tree.edges().find_cut(a, b);
+    const EdgeCut* const side = has_cut ? nullptr : tree.edges().find_cut(a, b);
     has_cut = has_cut || (side != nullptr && side->feature && side->feature->kind == kind);
   });
   return has_cut;
@@ -149,7 +149,7 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
   bool has_jumps = false;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     add_singular_vertex(a, tree, singular);
-    const EdgeRecord* const side = tree.edges().find_cut(a, b);
+    const EdgeCut* const side = tree.edges().find_cut(a, b);
     if (side == nullptr) return;
     count.leads_to_pole = count.leads_to_pole || side->pole != kNoIndex;
     const std::optional<EdgeFeature>& feature = side->feature;

@@ -90,13 +90,13 @@ TEST_F(Edges, KeepEachFactWhenAnotherIsFiled) {
   EXPECT_FALSE(edges_.feature(1, 2));
 }
 
-TEST_F(Edges, ListFeaturesInTheOrderOfTheSearches) {
+TEST_F(Edges, ListFeaturesInTheOrderInWhichTheyWereFound) {
   edges_.set_continuous(2, 3);
   edges_.set_feature(8, 9, std::nullopt);
   edges_.set_feature(2, 3, EdgeFeature{FeatureKind::Jump, 2, 20, 21});
   edges_.set_feature(0, 4, EdgeFeature{FeatureKind::Boundary, 0, 22, 22});
   edges_.set_feature(9, 8, EdgeFeature{FeatureKind::Crease, 8, 23, 24});
-  EXPECT_EQ(edges_.sides_with_features(), (std::vector<Side>{{8, 9}, {2, 3}, {0, 4}}));
+  EXPECT_EQ(edges_.sides_with_features(), (std::vector<Side>{{2, 3}, {0, 4}, {8, 9}}));
 }
 
 TEST_F(Edges, ListPolesThatWereFoundBeforeThoseThatWereCut) {
