@@ -222,18 +222,17 @@ void Validator::validate_one_by_one(ValidatedMesh& mesh, std::span<const std::si
 /// Validates leaves in which the surface turns sharply at more points.
 void Validator::validate_sharp_bends(ValidatedMesh& mesh, std::span<const std::size_t> which,
                                      const LeafTriangles& triangles) {
-  SharpBends bends(surface_, grid_, tree_, threads_);
   for (std::size_t begin = 0; begin < which.size(); begin += kKeptAtATime) {
     const auto some = which.subspan(begin, std::min(kKeptAtATime, which.size() - begin));
+    SharpBends bends(surface_, grid_, tree_, threads_);
     const LeafCentres centres(surface_, mesh, some, SharpBends::kLeastEstimate, tree_, threads_);
-    evaluations_ += centres.evaluations();
     for (std::size_t i = 0; i < some.size(); ++i) {
       const auto of_leaf = triangles.of(begin + i);
       if (!crosses_box(of_leaf)) bends.add(mesh, some[i], of_leaf, centres.of(i));
     }
+    bends.measure(mesh);
+    evaluations_ += centres.evaluations() + bends.evaluations();
   }
-  bends.measure(mesh);
-  evaluations_ += bends.evaluations();
 }
 
 /// Adds the distances of triangles beside creases from the surface, at the middles of diagonals.
