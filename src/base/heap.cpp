@@ -24,8 +24,16 @@ namespace {
 /// a picture of 800x600 with its surface needs less. It costs addresses; memory is what is touched.
 constexpr int kHeapStep = 64 << 20;
 constexpr std::uintptr_t kHugePage = std::uintptr_t{2} << 20;
-/// The size of a large array: its pages take longer to fill than to get.
-constexpr int kLargeArray = 256 << 10;
+/// The size of a large array: smaller ones are taken and freed often, and each of their pages would
+/// cost an interruption every time.
+constexpr int kLargeArray = 2 << 20;
+
+/// Advises the system to use huge pages where whole ones fit. Returns whether it will.
+bool advise_huge_pages(std::uintptr_t start, std::uintptr_t end) {
+  const std::uintptr_t first = (start + kHugePage - 1) / kHugePage * kHugePage;
+  const std::uintptr_t last = end / kHugePage * kHugePage;
+  return first < last && madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE) == 0;
+}
 
 }  // namespace
 
@@ -40,9 +48,13 @@ bool use_huge_pages() {
   const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));
   std::free(block);
   if (block == nullptr || start >= end || end - start > 2 * std::uintptr_t{kHeapStep}) return false;
-  const std::uintptr_t first = (start + kHugePage - 1) / kHugePage * kHugePage;
-  const std::uintptr_t last = end / kHugePage * kHugePage;
-  return first < last && madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE) == 0;
+  return advise_huge_pages(start, end);
+}
+
+void prefer_huge_pages(void* block, std::size_t bytes) {
+  if (bytes < kLargeArray) return;
+  const auto start = reinterpret_cast<std::uintptr_t>(block);
+  advise_huge_pages(start, start + bytes);
 }
 
 void set_large_arrays_apart() {
@@ -59,6 +71,8 @@ void give_back_free_memory() {
 bool use_huge_pages() {
   return false;
 }
+
+void prefer_huge_pages(void* /*block*/, std::size_t /*bytes*/) {}
 
 void set_large_arrays_apart() {}
 

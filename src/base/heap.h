@@ -1,6 +1,8 @@
 // How the program's memory comes from the system.
 #pragma once
 
+#include <cstddef>
+
 namespace saddle {
 
 /// Lets the heap, one for all threads, grow in large steps of huge pages and keep what is freed, so
@@ -10,8 +12,12 @@ namespace saddle {
 /// huge pages.
 bool use_huge_pages();
 
+/// Asks for huge pages for a new block, if it is as large as several: the many pages of a large
+/// array cost more than to fill it.
+void prefer_huge_pages(void* block, std::size_t bytes);
+
 /// Gives the system what is free of the heap, and from now on what large arrays take once they are
-/// freed: those of 256 KiB or more get memory of their own. In the heap they leave holes, with
+/// freed: those of 2 MiB or more get memory of their own. In the heap they leave holes, with
 /// which a fine mesh would take a tenth more.
 void set_large_arrays_apart();
 

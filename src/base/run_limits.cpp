@@ -12,6 +12,7 @@
 #include <new>
 
 #include "base/format.h"
+#include "base/heap.h"
 
 // Sanitizers have an operator new of their own, and take more addresses than any machine has.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -160,7 +161,10 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
     } else if (posix_memalign(&memory, alignment, asked) != 0) {
       memory = nullptr;
     }
-    if (memory != nullptr) return memory;
+    if (memory != nullptr) {
+      saddle::prefer_huge_pages(memory, bytes);
+      return memory;
+    }
     const std::new_handler handler = std::get_new_handler();
     if (handler == nullptr) break;
     handler();
