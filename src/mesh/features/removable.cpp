@@ -66,7 +66,8 @@ double moved_by_last_digit(const SurfacePoint& point, const dvec2& uv) {
 }
 
 bool is_rounding(const SurfacePoint& point, const dvec2& uv, double diagonal) {
-  return moved_by_last_digit(point, uv) > kLimitsAgree * diagonal;
+  const double moved = moved_by_last_digit(point, uv);
+  return std::isfinite(moved) && moved > kLimitsAgree * diagonal;
 }
 
 dvec3 rounding_by_parameters(const SurfacePoint& point, const dvec2& uv, const Domain& domain) {

@@ -28,7 +28,8 @@ std::vector<Beside> look_beside(const Surface& surface, std::span<const dvec2> p
 double moved_by_last_digit(const SurfacePoint& point, const dvec2& uv);
 
 /// Whether a position is rounding: the last digit of the parameters moves it by more than
-/// kLimitsAgree. (u^3 - v^3) / (u - v) is rounding where u and v are neighbouring doubles.
+/// kLimitsAgree. (u^3 - v^3) / (u - v) is rounding where u and v are neighbouring doubles. Tangents
+/// that are not finite tell nothing: the apex of 1 - hypot(u, v) has none.
 bool is_rounding(const SurfacePoint& point, const dvec2& uv, double diagonal);
 
 /// The most by which rounding of the parameters moves a point, along each axis; 0 where the
