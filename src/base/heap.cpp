@@ -28,9 +28,13 @@ constexpr std::uintptr_t kHugePage = std::uintptr_t{2} << 20;
 /// cost an interruption every time.
 constexpr int kLargeArray = 2 << 20;
 
+std::uintptr_t next_huge_page(std::uintptr_t address) {
+  return (address + kHugePage - 1) / kHugePage * kHugePage;
+}
+
 /// Advises the system to use huge pages where whole ones fit. Returns whether it will.
 bool advise_huge_pages(std::uintptr_t start, std::uintptr_t end) {
-  const std::uintptr_t first = (start + kHugePage - 1) / kHugePage * kHugePage;
+  const std::uintptr_t first = next_huge_page(start);
   const std::uintptr_t last = end / kHugePage * kHugePage;
   return first < last && madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE) == 0;
 }
@@ -48,7 +52,10 @@ bool use_huge_pages() {
   const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));
   std::free(block);
   if (block == nullptr || start >= end || end - start > 2 * std::uintptr_t{kHeapStep}) return false;
-  return advise_huge_pages(start, end);
+  if (!advise_huge_pages(start, end)) return false;
+  // What is left before the first huge page is never used: it would be got by small pages.
+  static const void* const unused = std::malloc(next_huge_page(start) - start);
+  return unused != nullptr;
 }
 
 void prefer_huge_pages(void* block, std::size_t bytes) {
