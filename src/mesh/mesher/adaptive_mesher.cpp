@@ -478,21 +478,23 @@ std::vector<Leaf> AdaptiveMesher::halve_failed() {
       halves.push_back(half);
     }
   }
-  take_thinly_cut(failed, halves);
+  take_thinly_cut(halved_, failed, halves);
   mesh_.remove(failed);
   std::ranges::copy(reactivate_defined(halved_), std::back_inserter(halves));
   halved_ = now;
   return halves;
 }
 
-/// Adds whole leaves with undefined vertices in thin parts of sides, which a neighbour has added.
-void AdaptiveMesher::take_thinly_cut(std::vector<std::size_t>& numbers,
+/// Adds whole leaves with undefined vertices in thin parts of sides, which a neighbour has added
+/// since a revision.
+void AdaptiveMesher::take_thinly_cut(std::uint32_t since, std::vector<std::size_t>& numbers,
                                      std::vector<Leaf>& active) const {
   if (!tree_.thin().any()) return;
   const std::size_t count = numbers.size();
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     const Leaf& leaf = mesh_.leaves[k];
     if (!leaf.state.is_whole() || !leaf.state.may_be_halved()) continue;
+    if (!tree_.revisions().has_changed(leaf, since)) continue;
     if (!has_thin_vertex(leaf, tree_) ||
         std::binary_search(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count),
                            k))

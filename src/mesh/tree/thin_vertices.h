@@ -2,8 +2,9 @@
 // defined ones.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <set>
+#include <vector>
 
 #include "mesh/model/pair_table.h"
 
@@ -11,9 +12,14 @@ namespace saddle {
 
 class ThinVertices {
  public:
-  bool any() const { return !vertices_.empty(); }
-  bool contains(std::uint32_t vertex) const { return any() && vertices_.contains(vertex); }
-  void add(std::uint32_t vertex) { vertices_.insert(vertex); }
+  bool any() const { return !is_thin_.empty(); }
+  bool contains(std::uint32_t vertex) const {
+    return vertex < is_thin_.size() && is_thin_[vertex] != 0;
+  }
+  void add(std::uint32_t vertex) {
+    if (vertex >= is_thin_.size()) is_thin_.resize(vertex + std::size_t{1});
+    is_thin_[vertex] = 1;
+  }
 
   /// Whether a side needs a search for thin parts. Notes that it has one.
   bool starts_search(std::uint32_t a, std::uint32_t b) {
@@ -21,7 +27,7 @@ class ThinVertices {
   }
 
  private:
-  std::set<std::uint32_t> vertices_;
+  std::vector<std::uint8_t> is_thin_;  // of vertices, up to the last such
   PairTable searched_;
 };
 
