@@ -4,6 +4,7 @@
 #include "eval/interval.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "eval/interval_rules.h"
@@ -40,15 +41,19 @@ bool is_only_pole(const Interval& x) {
 /// away, which is at first a matter of the box's width squared.
 constexpr int kConvexSteps = 12;
 
+/// The slopes of a function at the ends of an interval.
+using EndSlopes = std::array<double, 2>;
+
 /// A lower bound of a convex function f over x, from its slopes, which are off by slope_error at
 /// most. Small boxes take no step: their tangents say enough.
 template <class Function, class Slope>
-double least_of_convex(const Interval& x, Function f, Slope slope, double slope_error) {
+double least_of_convex(const Interval& x, Function f, Slope slope, const EndSlopes& at_ends,
+                       double slope_error) {
   if (!(slope_error < kInfinity)) return -kInfinity;  // next to a pole
   double a = x.low;
   double b = x.high;
-  double slope_a = slope(a) - slope_error;
-  double slope_b = slope(b) + slope_error;
+  double slope_a = at_ends[0] - slope_error;
+  double slope_b = at_ends[1] + slope_error;
   if (slope_a >= 0) return f(a);
   if (slope_b <= 0) return f(b);
   for (int step = 0;; ++step) {
@@ -78,12 +83,21 @@ double digamma(double x) {
   return saddle::polygamma(0, x);
 }
 
+EndSlopes slopes_of_lgamma(const Interval& x) {
+  return {digamma(x.low), digamma(x.high)};
+}
+
+/// The lower bound of ln|gamma| on a box between two poles, with its slopes there.
+double least_lgamma(const Interval& x, const EndSlopes& slopes) {
+  const double steepness = 1 + std::fabs(slopes[0]) + std::fabs(slopes[1]);
+  return least_of_convex(x, log_gamma, digamma, slopes, kSeries * steepness);
+}
+
 /// The lower bound of ln|gamma| on a box without a pole.
 double least_lgamma(const Interval& x) {
   if (x.low >= kTurnHigh) return log_gamma(x.low);
   if (x.low > 0) return x.high <= kTurnLow ? log_gamma(x.high) : kLeastLgamma;
-  const double steepness = 1 + std::fabs(digamma(x.low)) + std::fabs(digamma(x.high));
-  return least_of_convex(x, log_gamma, digamma, kSeries * steepness);
+  return least_lgamma(x, slopes_of_lgamma(x));
 }
 
 }  // namespace
@@ -114,8 +128,9 @@ Interval gamma(const Interval& a) {
   r.high = std::max(up(std::max(x, y), kGammaLibrary), kUnderflow);
   if (a.low > 0) {
     if (a.low < kTurnHigh && a.high > kTurnLow) r.low = kLeastGamma;
-  } else if (digamma(a.low) < kSeries && digamma(a.high) > -kSeries) {
-    const double logarithm = least_lgamma(a);
+  } else if (const EndSlopes slopes = slopes_of_lgamma(a);
+             slopes[0] < kSeries && slopes[1] > -kSeries) {
+    const double logarithm = least_lgamma(a, slopes);
     const double least = std::exp(logarithm);
     r.low = std::min(r.low, down(least, kLibrary + 2 * kSeries * (1 + std::fabs(logarithm))));
   }
@@ -131,8 +146,9 @@ double least_polygamma(double n, const Interval& x) {
   const auto f = [n](double t) { return saddle::polygamma(n, t); };
   if (x.low > 0) return f(x.high);
   const auto slope = [n](double t) { return saddle::polygamma(n + 1, t); };
-  const double steepness = std::fabs(slope(x.low)) + std::fabs(slope(x.high));
-  return least_of_convex(x, f, slope, kSeries * (std::tgamma(n + 2) + steepness));
+  const EndSlopes slopes = {slope(x.low), slope(x.high)};
+  const double steepness = std::fabs(slopes[0]) + std::fabs(slopes[1]);
+  return least_of_convex(x, f, slope, slopes, kSeries * (std::tgamma(n + 2) + steepness));
 }
 
 }  // namespace

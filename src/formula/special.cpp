@@ -61,6 +61,7 @@ long double cotangent_of_turns(double x) {
 
 /// The n-th derivative of pi*cot(pi*x): pi^(n+1) P_n(cot), P_0 = c, P_(n+1) = -(1 + c^2) P_n'.
 long double cotangent_derivative(int n, double x) {
+  if (n == 0) return kPi * cotangent_of_turns(x);
   std::vector<long double> p = {0, 1};
   for (int k = 0; k < n; ++k) {
     std::vector<long double> next(p.size() + 1, 0.0L);
@@ -76,8 +77,20 @@ long double cotangent_derivative(int n, double x) {
   return power(kPi, n + 1) * value;
 }
 
+/// For x > 0: its sum for digamma is one fraction, as each division takes as long as 20 products.
+long double digamma_right(long double x) {
+  long double over = 0;
+  long double under = 1;
+  for (; x < 20; x += 1) {
+    over = over * x + under;
+    under *= x;
+  }
+  return polygamma_series(0, x) - over / under;
+}
+
 /// For x > 0.
 long double polygamma_right(int n, long double x) {
+  if (n == 0) return digamma_right(x);
   long double shifted = 0;  // recurrence up to where the series is good
   for (; x < 20 + n; x += 1) shifted += power(1 / x, n + 1);
   shifted *= factorial(n);
