@@ -53,7 +53,7 @@ bool use_huge_pages() {
   std::free(block);
   if (block == nullptr || start >= end || end - start > 2 * std::uintptr_t{kHeapStep}) return false;
   if (!advise_huge_pages(start, end)) return false;
-  // What is left before the first huge page is never used: it would be got by small pages.
+  // Memory before the first huge page is never used: it would be got by small pages.
   static const void* const unused = std::malloc(next_huge_page(start) - start);
   return unused != nullptr;
 }

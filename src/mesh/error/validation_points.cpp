@@ -131,8 +131,19 @@ void PointPlacer::append(std::size_t number, const Leaf& leaf, std::span<const T
     }
   }
   if (!is_whole) append_sides(number, leaf, triangles, samples);
+  if (leaf.state.is_cut_by_feature() && has_cut(FeatureKind::Cliff, leaf, tree_))
+    append_middles(number, leaf, samples);
   if (has_chords && is_whole) append_across(number, leaf, triangles, allowed, samples);
   if (has_chords) append_chords(number, leaf, triangles, samples);
+}
+
+/// Points at the middles of the leaf's sides and of itself: beside cliffs that cut off its corners,
+/// a ridge may go through there.
+void PointPlacer::append_middles(std::size_t number, const Leaf& leaf,
+                                 std::vector<ValidationPoint>& samples) const {
+  leaf.samples.for_middles([&](std::uint32_t vertex) {
+    samples.push_back({number, grid_.mesh.uv[vertex]});
+  });
 }
 
 /// Points on the sides of triangles, a quarter from their corners: an arc with a vertical tangent

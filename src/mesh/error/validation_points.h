@@ -41,6 +41,8 @@ class PointPlacer {
                              std::vector<ValidationPoint>& samples) const;
 
  private:
+  void append_middles(std::size_t number, const Leaf& leaf,
+                      std::vector<ValidationPoint>& samples) const;
   void append_sides(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
                     std::vector<ValidationPoint>& samples) const;
   void append_across(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,

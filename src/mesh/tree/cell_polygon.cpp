@@ -288,29 +288,11 @@ class Cutter {
     polygon.erase(std::unique(polygon.begin(), polygon.end(), same), polygon.end());
     while (polygon.size() > 1 && same(polygon.front(), polygon.back())) polygon.pop_back();
     const bool has_inner = add_inner_vertices(polygon);
-    if (has_inner) cut_off_at_pinch(polygon, result);
+    if (has_inner)
+      cut_off_pinched(kSame * std::max(leaf_.size_u(), leaf_.size_v()), polygon, result);
     const bool is_side = cuts_ > 0 && cuts_ == boundaries_ && is_flat(polygon);
     const bool is_empty = has_inner && doubled_area_of(polygon) <= rounding_of_area(polygon);
     if (polygon.size() >= 3 && !is_side && !is_empty) result.push_back(std::move(polygon));
-  }
-
-  /// Where an inner vertex is at another corner, the polygon touches itself, as sectors do that
-  /// meet at a corner of the leaf: what is between the two becomes a polygon of its own.
-  void cut_off_at_pinch(Polygon& polygon, std::vector<Polygon>& result) const {
-    const double same = kSame * std::max(leaf_.size_u(), leaf_.size_v());
-    for (std::size_t j = 2; j < polygon.size(); ++j) {
-      for (std::size_t i = 0; i + 1 < j; ++i) {
-        if (glm::distance(polygon[i].place, polygon[j].place) > same) continue;
-        const auto first = polygon.begin() + static_cast<std::ptrdiff_t>(i);
-        const auto last = polygon.begin() + static_cast<std::ptrdiff_t>(j);
-        Polygon cut_off(first, last);
-        *last = *first;
-        polygon.erase(first, last);
-        if (doubled_area_of(cut_off) > rounding_of_area(cut_off))
-          result.push_back(std::move(cut_off));
-        return cut_off_at_pinch(polygon, result);
-      }
-    }
   }
 
   /// Returns whether there are any.

@@ -94,7 +94,7 @@ struct EdgeFeature {
   }
 };
 
-/// What cuts a side.
+/// The feature or the pole by which a side is cut.
 struct EdgeCut {
   Side side;
   std::optional<EdgeFeature> feature;

@@ -214,6 +214,23 @@ double rounding_of_area(std::span<const PolygonCorner> polygon) {
   return 2 * rounding * reach;
 }
 
+void cut_off_pinched(double same, Polygon& polygon, std::vector<Polygon>& others) {
+  for (std::size_t j = 2; j < polygon.size(); ++j) {
+    for (std::size_t i = 0; i + 1 < j; ++i) {
+      if (glm::distance(polygon[i].place, polygon[j].place) > same) continue;
+      const auto first = polygon.begin() + static_cast<std::ptrdiff_t>(i);
+      const auto last = polygon.begin() + static_cast<std::ptrdiff_t>(j);
+      Polygon cut_off(first, last);
+      *last = *first;
+      polygon.erase(first, last);
+      if (doubled_area_of(cut_off) > rounding_of_area(cut_off))
+        others.push_back(std::move(cut_off));
+      j = i;  // those after it are new here
+      break;
+    }
+  }
+}
+
 std::vector<Polygon> strips_between(std::span<const PolygonCorner> a,
                                     std::span<const PolygonCorner> b) {
   std::vector<Polygon> strips;

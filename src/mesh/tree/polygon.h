@@ -44,6 +44,11 @@ double doubled_area_of(std::span<const PolygonCorner> polygon);
 /// of features' places.
 double rounding_of_area(std::span<const PolygonCorner> polygon);
 
+/// Cuts a polygon where it touches itself, as sectors do that meet at a corner of a leaf: where two
+/// of its corners are within the distance `same` in the plane. Appends the parts that are cut off
+/// and have an area to `others`.
+void cut_off_pinched(double same, Polygon& polygon, std::vector<Polygon>& others);
+
 /// Polygons between two rows of segments, which are on two sides of a polygon. A row has two
 /// corners for each segment, on the way around. Where one has more segments, triangles take them
 /// up.

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -58,6 +59,30 @@ TEST(Polygon, HasNoChordFromTheFootOfAWallToItsTop) {
           << a.x << " " << a.y << " to " << b.x << " " << b.y;
     }
   }
+}
+
+/// Two sectors that meet at (0, 0), where the last corner is up to rounding.
+TEST(Polygon, IsCutWhereItTouchesItself) {
+  Polygon polygon = {{0, {-1, 0}},   {1, {0, 0}},     {2, {0, 1}},
+                     {3, {-0.4, 1}}, {4, {0, 1e-12}}, {5, {-1, 0.4}}};
+  std::vector<Polygon> cut_off;
+  cut_off_pinched(1e-9, polygon, cut_off);
+  const auto corners_of = [](const Polygon& of) {
+    std::vector<std::uint32_t> corners;
+    for (const PolygonCorner& at : of) corners.push_back(at.corner);
+    return corners;
+  };
+  EXPECT_EQ(corners_of(polygon), (std::vector<std::uint32_t>{0, 1, 5}));
+  ASSERT_EQ(cut_off.size(), 1U);
+  EXPECT_EQ(corners_of(cut_off[0]), (std::vector<std::uint32_t>{1, 2, 3}));
+}
+
+TEST(Polygon, StaysWholeWhereNothingTouches) {
+  Polygon polygon = {{0, {0, 0}}, {1, {1, 0}}, {2, {1, 1}}, {3, {0, 1}}};
+  std::vector<Polygon> cut_off;
+  cut_off_pinched(1e-9, polygon, cut_off);
+  EXPECT_TRUE(cut_off.empty());
+  EXPECT_EQ(polygon.size(), 4U);
 }
 
 }  // namespace
