@@ -107,6 +107,18 @@ TEST(OpenLeaves, AMeshKeepsTheToleranceAtTheFootOfANeedleOnASlope) {
   }
 }
 
+/// A corner of cells is at the tip, where derivatives are 0/0.
+TEST(OpenLeaves, AMeshReachesTheTipOfANeedleWithoutTangents) {
+  const dvec2 foot(0.2, -0.6111);
+  for (const char* z : {"2*u+max(0,1-hypot(u-0.2,v+0.6111)/1e-7)",
+                        "2*u+max(0,1-((u-0.2)^2+(v+0.6111)^2)^(1/4)/1e-3)"}) {
+    const MeshResult result = try_mesh(height_field(z), within_share(1e-3)).value();
+    const double from_tip = TriangleTree(result.mesh).distance(dvec3(foot, 2 * foot.x + 1));
+    EXPECT_LE(from_tip, *result.report.tolerance) << z;
+    EXPECT_LE(distance_from_needle(result, foot), 1.02) << z;
+  }
+}
+
 TEST(OpenLeaves, AMeshDownAGrooveIsNotFalselyOff) {
   const MeshResult mesh = ridge_mesh("0.7637*u-0.8685*exp(-(u/1.943e-5)^2)");
   const auto crest = [](double v) { return dvec3(0, v, -0.8685); };
