@@ -215,16 +215,20 @@ double rounding_of_area(std::span<const PolygonCorner> polygon) {
 }
 
 void cut_off_pinched(double same, Polygon& polygon, std::vector<Polygon>& others) {
+  const auto has_area = [](const Polygon& of) {
+    return doubled_area_of(of) > rounding_of_area(of);
+  };
   for (std::size_t j = 2; j < polygon.size(); ++j) {
     for (std::size_t i = 0; i + 1 < j; ++i) {
       if (glm::distance(polygon[i].place, polygon[j].place) > same) continue;
       const auto first = polygon.begin() + static_cast<std::ptrdiff_t>(i);
       const auto last = polygon.begin() + static_cast<std::ptrdiff_t>(j);
       Polygon cut_off(first, last);
-      *last = *first;
-      polygon.erase(first, last);
-      if (doubled_area_of(cut_off) > rounding_of_area(cut_off))
-        others.push_back(std::move(cut_off));
+      Polygon rest(polygon.begin(), first + 1);
+      rest.insert(rest.end(), last + 1, polygon.end());
+      if (!has_area(cut_off) || !has_area(rest)) continue;
+      others.push_back(std::move(cut_off));
+      polygon = std::move(rest);
       j = i;  // those after it are new here
       break;
     }

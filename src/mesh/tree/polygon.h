@@ -45,8 +45,8 @@ double doubled_area_of(std::span<const PolygonCorner> polygon);
 double rounding_of_area(std::span<const PolygonCorner> polygon);
 
 /// Cuts a polygon where it touches itself, as sectors do that meet at a corner of a leaf: where two
-/// of its corners are within the distance `same` in the plane. Appends the parts that are cut off
-/// and have an area to `others`.
+/// of its corners are within the distance `same` in the plane, and both parts have an area. Appends
+/// the parts that are cut off to `others`.
 void cut_off_pinched(double same, Polygon& polygon, std::vector<Polygon>& others);
 
 /// Polygons between two rows of segments, which are on two sides of a polygon. A row has two

@@ -77,6 +77,15 @@ TEST(Polygon, IsCutWhereItTouchesItself) {
   EXPECT_EQ(corners_of(cut_off[0]), (std::vector<std::uint32_t>{1, 2, 3}));
 }
 
+/// The last corner is beside the second: what is between the first of them and it is a line.
+TEST(Polygon, IsNotCutIntoALine) {
+  Polygon polygon = {{0, {-1, 0}}, {1, {0, 0}}, {2, {0, 1}}, {3, {-1, 1}}, {4, {0, 0}}};
+  std::vector<Polygon> cut_off;
+  cut_off_pinched(1e-9, polygon, cut_off);
+  EXPECT_TRUE(cut_off.empty());
+  EXPECT_EQ(polygon.size(), 5U);
+}
+
 TEST(Polygon, StaysWholeWhereNothingTouches) {
   Polygon polygon = {{0, {0, 0}}, {1, {1, 0}}, {2, {1, 1}}, {3, {0, 1}}};
   std::vector<Polygon> cut_off;
