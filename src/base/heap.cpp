@@ -26,7 +26,7 @@ constexpr int kHeapStep = 64 << 20;
 constexpr std::uintptr_t kHugePage = std::uintptr_t{2} << 20;
 /// The size of a large array: smaller ones are taken and freed often, and each of their pages would
 /// cost an interruption every time.
-constexpr int kLargeArray = 2 << 20;
+constexpr int kLargeArray = kHugePage;
 
 std::uintptr_t next_huge_page(std::uintptr_t address) {
   return (address + kHugePage - 1) / kHugePage * kHugePage;
@@ -59,7 +59,7 @@ bool use_huge_pages() {
 }
 
 void prefer_huge_pages(void* block, std::size_t bytes) {
-  if (bytes < kLargeArray) return;
+  if (bytes < kHugePage) return;
   const auto start = reinterpret_cast<std::uintptr_t>(block);
   advise_huge_pages(start, start + bytes);
 }

@@ -12,8 +12,8 @@ namespace saddle {
 /// huge pages.
 bool use_huge_pages();
 
-/// Asks for huge pages for a new block, if it is as large as several: the many pages of a large
-/// array cost more than to fill it.
+/// Asks for huge pages for a new block, if one fits into it: to get the small pages of a large
+/// array costs more than to fill them.
 void prefer_huge_pages(void* block, std::size_t bytes);
 
 /// Gives the system what is free of the heap, and from now on what large arrays take once they are

@@ -151,7 +151,7 @@ std::string time_refusal() {
 
 namespace {
 
-/// As operator new does, with the size of what is refused.
+/// As operator new does, with the size of what is refused, and large blocks in huge pages.
 void* allocate(std::size_t bytes, std::size_t alignment) {
   const std::size_t asked = std::max<std::size_t>(bytes, 1);
   for (;;) {

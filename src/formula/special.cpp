@@ -30,9 +30,12 @@ long double power(long double base, int n) {
   return product;
 }
 
+/// The asymptotic series of polygamma is good from n + 20 on.
+constexpr int kSeriesFrom = 20;
+
 /// The asymptotic series of polygamma, for x that is large compared with n.
 long double polygamma_series(int n, long double x) {
-  // B_2k for k = 1 ... 10: at x >= 20 + n the first term left out is below half an ULP.
+  // B_2k for k = 1 ... 10: at x >= n + 20 the first term left out is below half an ULP.
   static constexpr std::array<long double, 10> kBernoulli = {
       1.0L / 6,       -1.0L / 30, 1.0L / 42,      -1.0L / 30,     5.0L / 66,
       -691.0L / 2730, 7.0L / 6,   -3617.0L / 510, 43867.0L / 798, -174611.0L / 330};
@@ -77,11 +80,12 @@ long double cotangent_derivative(int n, double x) {
   return power(kPi, n + 1) * value;
 }
 
-/// For x > 0: its sum for digamma is one fraction, as each division takes as long as 20 products.
+/// For x > 0. The terms of the recurrence are one fraction: a division takes as long as 20
+/// products.
 long double digamma_right(long double x) {
   long double over = 0;
   long double under = 1;
-  for (; x < 20; x += 1) {
+  for (; x < kSeriesFrom; x += 1) {
     over = over * x + under;
     under *= x;
   }
@@ -92,7 +96,7 @@ long double digamma_right(long double x) {
 long double polygamma_right(int n, long double x) {
   if (n == 0) return digamma_right(x);
   long double shifted = 0;  // recurrence up to where the series is good
-  for (; x < 20 + n; x += 1) shifted += power(1 / x, n + 1);
+  for (; x < kSeriesFrom + n; x += 1) shifted += power(1 / x, n + 1);
   shifted *= factorial(n);
   return polygamma_series(n, x) + (n % 2 == 0 ? -shifted : shifted);
 }

@@ -131,8 +131,6 @@ void PointPlacer::append(std::size_t number, const Leaf& leaf, std::span<const T
     }
   }
   if (!is_whole) append_sides(number, leaf, triangles, samples);
-  if (leaf.state.is_cut_by_feature() && has_cut(FeatureKind::Cliff, leaf, tree_))
-    append_middles(number, leaf, samples);
   if (has_chords && is_whole) append_across(number, leaf, triangles, allowed, samples);
   if (has_chords) append_chords(number, leaf, triangles, samples);
 }
@@ -211,6 +209,7 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
   const auto& at = grid_.mesh.uv;
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
+  if (features.has_cliffs) append_middles(number, leaf, samples);
   const auto append_chord = [&](const Triangle& t, std::size_t k) {
     const std::uint32_t a = t[k];
     const std::uint32_t b = t[(k + 1) % 3];

@@ -291,7 +291,7 @@ class Cutter {
     if (has_inner)
       cut_off_pinched(kSame * std::max(leaf_.size_u(), leaf_.size_v()), polygon, result);
     const bool is_side = cuts_ > 0 && cuts_ == boundaries_ && is_flat(polygon);
-    const bool is_empty = has_inner && doubled_area_of(polygon) <= rounding_of_area(polygon);
+    const bool is_empty = has_inner && !has_area(polygon);
     if (polygon.size() >= 3 && !is_side && !is_empty) result.push_back(std::move(polygon));
   }
 

@@ -63,13 +63,14 @@ void EdgeTable::discount_feature(std::uint32_t a, std::uint32_t b) {
 }
 
 void EdgeTable::pass_on(std::uint32_t from, std::uint32_t middle, std::uint32_t to) {
-  if (facts(from, to).is_proved == 0) return;
-  const std::optional<EdgeFeature> whole = find_feature(from, to);
-  if (!whole || whole->is_continuous()) {
+  const EdgeFacts whole = facts(from, to);
+  if (whole.is_proved == 0) return;
+  const EdgeCut* const at = cut_of(whole);
+  if (at == nullptr || !at->feature || at->feature->is_continuous()) {
     pass_on_part(from, middle, std::nullopt);
     return pass_on_part(middle, to, std::nullopt);
   }
-  const EdgeFeature& jumps = *whole;
+  const EdgeFeature jumps = *at->feature;  // a copy: cuts move
   if (jumps.kind != FeatureKind::Jump) return;
   const std::uint32_t first = jumps.first;
   const std::uint32_t second = first == from ? to : from;

@@ -230,10 +230,10 @@ class EdgeTable {
     return facts_.find(pair_of(a, b)).value_or(EdgeFacts{});
   }
   EdgeFacts& facts_of(std::uint32_t a, std::uint32_t b) { return facts_[pair_of(a, b)]; }
-  const EdgeCut* cut(std::uint32_t a, std::uint32_t b) const {
-    const std::uint32_t number = facts(a, b).cut;
-    return number == 0 ? nullptr : &cuts_[number - 1];
+  const EdgeCut* cut_of(const EdgeFacts& facts) const {
+    return facts.cut == 0 ? nullptr : &cuts_[facts.cut - 1];
   }
+  const EdgeCut* cut(std::uint32_t a, std::uint32_t b) const { return cut_of(facts(a, b)); }
   EdgeCut& add_cut(std::uint32_t a, std::uint32_t b);
   void pass_on_part(std::uint32_t a, std::uint32_t b, const std::optional<EdgeFeature>& jumps);
   std::optional<EdgeFeature> find_feature(std::uint32_t a, std::uint32_t b) const;

@@ -150,6 +150,19 @@ bool holds_corner(std::span<const PolygonCorner> polygon, std::size_t tip) {
   return false;
 }
 
+/// Bound on twice the area of a polygon of corners on one straight side. Its cause is the rounding
+/// of features' places.
+double rounding_of_area(std::span<const PolygonCorner> polygon) {
+  double reach = 0;
+  double rounding = 0;
+  for (const PolygonCorner& corner : polygon) {
+    const dvec2 way = glm::abs(corner.place - polygon[0].place);
+    reach = std::max({reach, way.x, way.y});
+    rounding = std::max(rounding, rounding_of_place(corner.place));
+  }
+  return 2 * rounding * reach;
+}
+
 /// The index of the best ear's tip: the fewest flaws, then the chord nearest to the surface.
 std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon, bool is_at_pole,
                      std::span<const PointPair> taken) {
@@ -203,21 +216,11 @@ double doubled_area_of(std::span<const PolygonCorner> polygon) {
   return sum;
 }
 
-double rounding_of_area(std::span<const PolygonCorner> polygon) {
-  double reach = 0;
-  double rounding = 0;
-  for (const PolygonCorner& corner : polygon) {
-    const dvec2 way = glm::abs(corner.place - polygon[0].place);
-    reach = std::max({reach, way.x, way.y});
-    rounding = std::max(rounding, rounding_of_place(corner.place));
-  }
-  return 2 * rounding * reach;
+bool has_area(std::span<const PolygonCorner> polygon) {
+  return doubled_area_of(polygon) > rounding_of_area(polygon);
 }
 
 void cut_off_pinched(double same, Polygon& polygon, std::vector<Polygon>& others) {
-  const auto has_area = [](const Polygon& of) {
-    return doubled_area_of(of) > rounding_of_area(of);
-  };
   for (std::size_t j = 2; j < polygon.size(); ++j) {
     for (std::size_t i = 0; i + 1 < j; ++i) {
       if (glm::distance(polygon[i].place, polygon[j].place) > same) continue;

@@ -40,9 +40,8 @@ dvec2 border_of_square(const dvec2& from, const dvec2& way);
 
 /// Twice the signed area of a polygon in the plane.
 double doubled_area_of(std::span<const PolygonCorner> polygon);
-/// Bound on twice the area of a polygon of corners on one straight side. Its cause is the rounding
-/// of features' places.
-double rounding_of_area(std::span<const PolygonCorner> polygon);
+/// Whether a polygon has an area, and not one of rounding alone.
+bool has_area(std::span<const PolygonCorner> polygon);
 
 /// Cuts a polygon where it touches itself, as sectors do that meet at a corner of a leaf: where two
 /// of its corners are within the distance `same` in the plane, and both parts have an area. Appends
