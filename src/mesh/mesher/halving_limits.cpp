@@ -23,7 +23,8 @@ int most_boundary_halvings(const Leaf& leaf, const CellTree& tree) {
 }
 
 int boundary_halvings(const Leaf& leaf, const CellTree& tree) {
-  return std::min(kBoundaryHalvings + std::ilogb(leaf.safety), most_boundary_halvings(leaf, tree));
+  const int wanted = kBoundaryHalvings + std::ilogb(leaf.safety);
+  return wanted <= kMostCutHalvings ? wanted : std::min(wanted, most_boundary_halvings(leaf, tree));
 }
 
 int wanted_halvings(const FeatureCount& features) {

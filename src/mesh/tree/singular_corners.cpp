@@ -48,12 +48,10 @@ struct View {
 std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
                                  const CellTree& tree) {
   std::vector<View> views;
-  if (!tree.geometry().has_singular()) return views;
   const CellMarks& singular_cells = tree.geometry().singular_cells();
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
-    const bool is_cut = leaves[leaf].state.is_cut_by_feature();
-    if (!is_cut && !singular_cells.contains(leaves[leaf])) continue;
-    bool is_regular = !is_cut;
+    if (!singular_cells.contains(leaves[leaf])) continue;
+    bool is_regular = !leaves[leaf].state.is_cut_by_feature();
     for_sides(leaves[leaf], tree, [&](std::uint32_t a, std::uint32_t) {
       is_regular = is_regular && tree.geometry().is_regular(a);
     });

@@ -79,8 +79,8 @@ void VertexGeometry::store(const NormalColumns& columns, std::size_t count, Vert
     mesh.uv[to] = uv(i);
     mesh.point[to] = to;
     regular_[to] = 1;
-    if (!regular) make_singular(to);
     defined_[to] = is_finite(position) ? 1 : 0;
+    if (!regular) make_singular(to);
     if (!regular && is_finite(position) && is_finite(normal)) steep_.push_back(to);
   }
   evaluations_ += count;
@@ -213,6 +213,7 @@ void VertexGeometry::fill(std::uint32_t vertex, const dvec3& limit) {
   grid_.mesh.position[vertex] = limit;
   defined_[vertex] = 1;
   make_singular(vertex);
+  singular_cells_.add(vertices_.place_between(vertex));  // it may have been singular as undefined
 }
 
 void VertexGeometry::classify(std::span<const std::uint32_t> vertices, unsigned threads) {

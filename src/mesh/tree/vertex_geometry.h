@@ -79,13 +79,13 @@ class VertexGeometry {
   /// Whether r_u x r_v has a direction at a vertex.
   bool is_regular(std::uint32_t vertex) const { return regular_[vertex] != 0; }
   bool has_singular() const { return std::ranges::find(regular_, 0) != regular_.end(); }
-  /// The root cells around vertices that are not regular, and around some that were not.
+  /// The root cells around defined vertices that are not regular, and around some that were not.
   const CellMarks& singular_cells() const { return singular_cells_; }
   void make_singular(std::uint32_t vertex) {
     if (!is_regular(vertex)) return;
     regular_[vertex] = 0;
     const dvec2 place = vertices_.place_between(vertex);
-    singular_cells_.add(place);
+    if (is_defined(vertex)) singular_cells_.add(place);
     revisions_.mark(place);
   }
   /// Sets the one-sided limit of the normals at a vertex, which becomes regular.
