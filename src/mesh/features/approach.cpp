@@ -25,9 +25,8 @@ namespace {
 constexpr double kLeaps = 8;
 constexpr std::size_t kFirstSteps = 3;
 
-/// Halvings of a line that leave the parts that end_in_gaps() looks at: 3, and 5 more of a line on
+/// Halvings, after kFirstHalvings, that leave the parts that end_in_gaps() looks at, of a line on
 /// which bounds prove something by then. On others they are too wide for any part.
-constexpr int kFirstHalvingsToGap = 3;
 constexpr int kMoreHalvingsToGap = 5;
 /// Lines through more gaps lead across waves. Their first gap is the rim of one, which a mesh would
 /// follow without an end.
@@ -123,12 +122,12 @@ std::vector<LinePart> maybe_undefined(const Surface& surface, std::vector<LinePa
                                       std::size_t& boxes) {
   std::vector<LinePart> open;
   std::vector<LinePart> halved =
-      unproved(surface, std::move(lines), kInfinity, boxes, kFirstHalvingsToGap);
+      unproved(surface, std::move(lines), kInfinity, boxes, kFirstHalvings);
   std::vector<LinePart> some;
   for (auto part = halved.begin(); part != halved.end();) {
     const auto end = std::find_if(part, halved.end(),
                                   [&](const LinePart& other) { return other.line != part->line; });
-    auto& to = end - part == 1 << kFirstHalvingsToGap ? open : some;
+    auto& to = end - part == 1 << kFirstHalvings ? open : some;
     to.insert(to.end(), part, end);
     part = end;
   }

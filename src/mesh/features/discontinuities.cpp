@@ -20,9 +20,6 @@ namespace saddle {
 
 namespace {
 
-/// Halvings of a line for a proof that it is continuous, before it is searched.
-constexpr int kProofHalvings = 3;
-
 /// Jumps of lines, in their order: they have no place in common.
 using JumpsOfLines = std::vector<std::vector<Line>>;
 
@@ -308,7 +305,7 @@ std::vector<LocatedDiscontinuity> find_discontinuities(const Surface& surface,
   for (std::size_t k = 0; k < lines.size(); ++k) whole.push_back({k, lines[k]});
   std::vector<std::size_t> open;
   std::vector<Line> open_lines;
-  for (const LinePart& part : unproved(surface, std::move(whole), delta, work, kProofHalvings)) {
+  for (const LinePart& part : unproved(surface, std::move(whole), delta, work, kFirstHalvings)) {
     if (!open.empty() && open.back() == part.line) continue;
     open.push_back(part.line);
     open_lines.push_back(lines[part.line]);

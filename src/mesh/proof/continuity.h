@@ -17,6 +17,9 @@ namespace saddle {
 /// Open parts of a line beyond which bounds are too wide, and jumps beyond which there are waves.
 inline constexpr std::size_t kMostLineParts = 8;
 
+/// Halvings for a first proof of a line: more follow where it shows that bounds prove something.
+inline constexpr int kFirstHalvings = 3;
+
 /// A straight line of parameters.
 using Line = std::array<dvec2, 2>;
 
