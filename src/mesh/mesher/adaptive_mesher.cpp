@@ -56,6 +56,31 @@ void append_leaves(ActiveLeaves& active, ActiveLeaves more) {
   std::ranges::copy(more.counterexamples, std::back_inserter(active.counterexamples));
 }
 
+/// The vertex of the root grid at a place.
+std::optional<std::uint32_t> root_vertex(const Grid& grid, const dvec2& uv) {
+  const auto nearest = [](const std::vector<double>& lines, double place) {
+    const auto line = std::ranges::min_element(
+        lines, {}, [place](double line) { return std::fabs(line - place); });
+    return static_cast<std::size_t>(line - lines.begin());
+  };
+  const std::size_t vertex = grid.vertex(nearest(grid.u, uv.x), nearest(grid.v, uv.y));
+  const bool is_there = glm::length((grid.uv(vertex) - uv) / grid.range) < kSame;
+  return is_there ? std::optional(static_cast<std::uint32_t>(vertex)) : std::nullopt;
+}
+
+/// The landmarks of the probe, and the singular points that are no vertices of the root grid.
+std::vector<Landmark> landmarks_of(const Surface& surface, const MeshPlan& plan, const Grid& grid,
+                                   unsigned threads) {
+  std::vector<Landmark> landmarks = plan.probe.landmarks().places;
+  std::vector<dvec2> points = plan.singular.points;
+  std::erase_if(points, [&grid](const dvec2& uv) { return root_vertex(grid, uv).has_value(); });
+  const std::vector<dvec3> positions = evaluate_positions(surface, points, threads);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (is_finite(positions[k])) landmarks.push_back({points[k], positions[k], dvec2(0), dvec2(0)});
+  }
+  return landmarks;
+}
+
 }  // namespace
 
 AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& request, MeshPlan& plan)
@@ -76,7 +101,7 @@ AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& reques
       seams_(weld_if_two_dimensional(plan.probe)),
       points_(grid_.mesh),
       tree_(surface, grid_, request.threads),
-      landmarks_(plan.probe.landmarks().places, request.clip, grid_, tree_),
+      landmarks_(landmarks_of(surface, plan, grid_, request.threads), request.clip, grid_, tree_),
       validation_(surface, limits_, grid_, tree_, landmarks_, mesh_),
       direction_(limits_, grid_, tree_, mesh_),
       proof_(surface, grid_, tree_, request_.clip, share_of_searches(request.least_effort),
@@ -84,6 +109,9 @@ AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& reques
       hulls_(surface),
       open_(surface, grid_, tree_, hulls_, request_.clip, request.threads),
       predicted_(predict(plan)) {
+  for (const dvec2& uv : plan.singular.points) {
+    if (const auto vertex = root_vertex(grid_, uv)) tree_.geometry().make_singular(*vertex);
+  }
   if (seams_.any()) tree_.edges().set_has_seams();
   if (request.stop != MeshRequest::Stop::AtPolesOrFar) return;
   const Bounds most = rough_box(plan.probe.positions());

@@ -43,6 +43,25 @@ TEST(NonsmoothPoints, AreTipsWithinAndBesideCreases) {
   }
 }
 
+/// Each of these has tangents at the doubles beside the points.
+TEST(NonsmoothPoints, AreFoundBetweenDoubles) {
+  const auto conical = [](const char* z) {
+    return find_nonsmooth_points(height_field(z, {-3, 3, -3, 3}), 5, 1).conical;
+  };
+  const std::vector<dvec2> cones = conical("hypot(u^2-2,v)");
+  ASSERT_EQ(cones.size(), 2U);
+  for (const dvec2& uv : cones) {
+    EXPECT_NEAR(std::fabs(uv.x), std::numbers::sqrt2, 1e-15);
+    EXPECT_EQ(uv.y, 0);
+  }
+  // The pursuit of the double zero at (0, 0) takes many boxes.
+  EXPECT_EQ(conical("sqrt(hypot(v^2-4.2*u,sin(v^2)))").size(), 5U);
+  for (const char* const z : {"sqrt(1e-9+hypot(u^2-2,v)^2)", "1/((u^2-2)^2+v^2)",
+                              "(u^2-2)*v/((u^2-2)^2+v^2)", "sin(hypot(u^2-2,v))/hypot(u^2-2,v)"}) {
+    EXPECT_TRUE(conical(z).empty()) << z;
+  }
+}
+
 /// The sheets of atan2(v, u) reach to heights of -pi and pi at the end of its jump.
 TEST(NonsmoothPoints, AreReachedByTheSheetsOfAJumpThatEndsThere) {
   const double tolerance = 3.5e-3;
@@ -90,6 +109,28 @@ TEST(NonsmoothPoints, AreVerticesWithTheNormalOfEachSide) {
     EXPECT_NEAR(mesh.mesh.normal[k].z, std::sqrt(0.5), 1e-9);
   }
   EXPECT_GE(corners, 4U);
+}
+
+/// So they are between doubles. The slopes of the tip along u are 2 * sqrt(2), those along v 1.
+TEST(NonsmoothPoints, AreVerticesWithTheNormalOfEachSideBetweenDoubles) {
+  const Surface surface = height_field("hypot(u^2-2,v-0.1)", {0.5, 3, -3, 3});
+  const MeshResult mesh = try_mesh(surface, within_length(1e-2)).value();
+  ASSERT_EQ(mesh.report.singular_point_count, 1U);
+  std::vector<dvec3> normals;
+  for (std::size_t k = 0; k < mesh.mesh.uv.size(); ++k) {
+    if (glm::distance(mesh.mesh.uv[k], dvec2(std::numbers::sqrt2, 0.1)) > 1e-12) continue;
+    EXPECT_NEAR(mesh.mesh.position[k].z, 0, 1e-12);
+    normals.push_back(mesh.mesh.normal[k]);
+  }
+  ASSERT_GE(normals.size(), 4U);
+  const auto slope = [](const dvec3& n) { return glm::length(dvec2(n)) / n.z; };
+  for (const dvec3& n : normals) {
+    EXPECT_GE(slope(n), 1 - 1e-6);
+    EXPECT_LE(slope(n), 2 * std::numbers::sqrt2 + 1e-6);
+  }
+  const auto [least, most] = std::ranges::minmax(normals, {}, [](const dvec3& n) { return n.y; });
+  EXPECT_LT(least.y, -0.25);
+  EXPECT_GT(most.y, 0.25);
 }
 
 }  // namespace
