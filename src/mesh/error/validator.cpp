@@ -235,8 +235,9 @@ void Validator::validate_sharp_bends(ValidatedMesh& mesh, std::span<const std::s
   }
 }
 
-/// Adds the distances of triangles beside creases from the surface, at the middles of diagonals.
-/// Beside a cusp the surface turns too much for heights along its normals.
+/// Adds the distances of triangles beside creases from the surface, at the middles of diagonals and
+/// of sides that end in singular points. Beside a cusp the surface turns too much for heights along
+/// its normals.
 void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std::size_t> which,
                                         const LeafTriangles& triangles,
                                         std::span<const std::size_t> others) {
@@ -250,9 +251,9 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
     const dvec2 size =
         tree_.vertices().parameters(leaf.high()) - tree_.vertices().parameters(leaf.low);
     for_triangle_sides(triangles.of(k), [&](const Triangle& t, std::size_t side, bool is_diagonal) {
-      if (!is_diagonal) return;
       const std::uint32_t a = t[side];
       const std::uint32_t b = t[(side + 1) % 3];
+      if (!is_diagonal && tree_.geometry().is_regular(a) == tree_.geometry().is_regular(b)) return;
       chords.push_back({{of.position[a], of.position[b]},
                         {of.uv[a], of.uv[b]},
                         glm::abs(size),
