@@ -106,24 +106,19 @@ void Enclosure::append(std::span<const Instruction> instructions, std::vector<St
   }
 }
 
+Interval Enclosure::apply(const Step& step) const {
+  const Interval& a = slots_[step.in[0]];
+  const Interval& b = slots_[step.in[1]];
+  if (step.square) return sqr(a);
+  // Most steps are products and sums: no calls.
+  if (step.op == Op::Mul) return a * b;
+  if (step.op == Op::Add) return a + b;
+  if (step.op == Op::Sub) return a - b;
+  return enclose(step.op, a, b, slots_[step.in[2]]);
+}
+
 void Enclosure::run(std::span<const Step> steps) {
-  Interval* const slots = slots_.data();
-  for (const Step& step : steps) {
-    const Interval& a = slots[step.in[0]];
-    const Interval& b = slots[step.in[1]];
-    Interval& out = slots[step.out];
-    if (step.square) {
-      out = sqr(a);
-    } else if (step.op == Op::Mul) {  // most steps are products and sums: no calls
-      out = a * b;
-    } else if (step.op == Op::Add) {
-      out = a + b;
-    } else if (step.op == Op::Sub) {
-      out = a - b;
-    } else {
-      out = enclose(step.op, a, b, slots[step.in[2]]);
-    }
-  }
+  for (const Step& step : steps) slots_[step.out] = apply(step);
 }
 
 void Enclosure::load(const Interval& range, Bank& bank) {
@@ -167,6 +162,23 @@ void Enclosure::operator()(const Interval& u, const Interval& v, std::span<Inter
   load(v, of_v_);
   run(of_both_);
   for (std::size_t k = 0; k < outputs_.size(); ++k) outputs[k] = slots_[outputs_[k]];
+}
+
+std::size_t Enclosure::count_breaks(const Interval& u, const Interval& v) {
+  std::size_t count = 0;
+  const auto is_whole = [](const Interval& a) { return a.defined == Defined::Yes && a.continuous; };
+  slots_[of_u_.first] = of_u_.now = u;
+  slots_[of_v_.first] = of_v_.now = v;
+  for (const auto* const steps : {&of_u_.steps, &of_v_.steps, &of_both_}) {
+    for (const Step& step : *steps) {
+      const auto arguments = std::span(step.in).first(static_cast<std::size_t>(arity(step.op)));
+      const bool are_whole = std::ranges::all_of(
+          arguments, [&](std::uint32_t slot) { return is_whole(slots_[slot]); });
+      slots_[step.out] = apply(step);
+      if (are_whole && !is_whole(slots_[step.out])) ++count;
+    }
+  }
+  return count;
 }
 
 void enclose(const Tape& tape, const Interval& u, const Interval& v, std::span<Interval> outputs) {

@@ -36,6 +36,10 @@ class Enclosure {
   /// value with itself is a square. Tapes compiled with Powers::Whole give narrower bounds.
   void operator()(const Interval& u, const Interval& v, std::span<Interval> outputs);
 
+  /// The number of operations that break u x v: they are not proved to be continuous and defined
+  /// there, but their arguments are. Where two features cross there are more than along either.
+  std::size_t count_breaks(const Interval& u, const Interval& v);
+
   /// The cost of a box in additions.
   std::size_t steps() const;
 
@@ -57,6 +61,7 @@ class Enclosure {
     std::size_t misses = 0;        ///< since there were as many places as now
   };
   void append(std::span<const Instruction> instructions, std::vector<Step>& steps) const;
+  Interval apply(const Step& step) const;
   void run(std::span<const Step> steps);
   void load(const Interval& range, Bank& bank);
   void keep_needed_steps();

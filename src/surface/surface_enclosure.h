@@ -38,6 +38,11 @@ class SurfaceEnclosure {
                outputs_);
     return outputs_;
   }
+  /// Enclosure::count_breaks()
+  std::size_t count_breaks(const ParameterBox& box) {
+    return enclosure_.count_breaks(range_between(box.low.x, box.high.x),
+                                   range_between(box.low.y, box.high.y));
+  }
   /// The cost of a box, in additions.
   std::size_t steps() const { return enclosure_.steps(); }
   /// The bounds of the last box.

@@ -7,7 +7,9 @@
 #include <span>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "mesh/features/point_singularities.h"
 #include "mesh/model/tolerances.h"
@@ -24,19 +26,56 @@ namespace {
 /// Searches: a point takes about 600 boxes down to its doubles.
 constexpr std::size_t kSearchesForPoints = 4;
 
-/// Leaves out the largest groups of boxes that touch: they lie along curves. Four boxes meet at a
-/// point on their corners; along a curve their number doubles every two levels.
-void keep_points(std::vector<ParameterBox>& boxes) {
-  const std::vector<std::uint32_t> groups = groups_of(boxes);
-  std::vector<std::pair<std::ptrdiff_t, std::uint32_t>> sizes;  // of the group of each box
-  sizes.reserve(groups.size());
-  for (const std::uint32_t group : groups)
-    sizes.emplace_back(std::ranges::count(groups, group), group);
-  std::vector<std::pair<std::ptrdiff_t, std::uint32_t>> sorted = sizes;
+/// For each box, the breaks of the boxes of its group, in order.
+class GroupBreaks {
+ public:
+  GroupBreaks(SurfaceEnclosure& enclosure, std::span<const ParameterBox> boxes)
+      : groups_(groups_of(boxes)), breaks_(boxes.size()), of_groups_(boxes.size()) {
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      breaks_[k] = enclosure.count_breaks(boxes[k]);
+      of_groups_[groups_[k]].push_back(breaks_[k]);
+    }
+    for (std::vector<std::size_t>& group : of_groups_) std::ranges::sort(group);
+  }
+  std::uint32_t group(std::size_t box) const { return groups_[box]; }
+  std::size_t size(std::size_t box) const { return of_groups_[groups_[box]].size(); }
+  /// Whether a box has more breaks than 3 of 4 boxes of its group: features cross there.
+  bool has_many(std::size_t box) const {
+    return breaks_[box] > of_groups_[groups_[box]][3 * size(box) / 4];
+  }
+  /// Whether no box of its group has more.
+  bool has_most(std::size_t box) const { return breaks_[box] == of_groups_[groups_[box]].back(); }
+
+ private:
+  std::vector<std::uint32_t> groups_;
+  std::vector<std::size_t> breaks_;
+  std::vector<std::vector<std::size_t>> of_groups_;
+};
+
+/// Leaves out the largest groups of boxes that touch, but for the places where features cross: they
+/// lie along curves. Four boxes meet at a point on their corners; along a curve their number
+/// doubles every two levels.
+void keep_points(SurfaceEnclosure& enclosure, std::vector<ParameterBox>& boxes) {
+  const GroupBreaks breaks(enclosure, boxes);
+  std::vector<std::pair<std::size_t, std::uint32_t>> sizes;  // of the group of each box
+  for (std::size_t k = 0; k < boxes.size(); ++k)
+    sizes.emplace_back(breaks.size(k), breaks.group(k));
+  std::vector<std::pair<std::size_t, std::uint32_t>> sorted = sizes;
   std::ranges::sort(sorted);
   std::vector<ParameterBox> kept;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
-    if (sizes[k] < sorted[kMostFollowed]) kept.push_back(boxes[k]);
+    if (sizes[k] < sorted[kMostFollowed] || breaks.has_many(k)) kept.push_back(boxes[k]);
+  }
+  boxes = std::move(kept);
+}
+
+/// Leaves out boxes beside points in groups that are as small as points: those along curves that
+/// cross there.
+void keep_crossings(SurfaceEnclosure& enclosure, std::vector<ParameterBox>& boxes) {
+  const GroupBreaks breaks(enclosure, boxes);
+  std::vector<ParameterBox> kept;
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    if (breaks.has_most(k)) kept.push_back(boxes[k]);
   }
   boxes = std::move(kept);
 }
@@ -49,75 +88,92 @@ std::vector<ParameterBox> nonsmooth_boxes(const Surface& surface) {
   BoxSubdivision<ParameterBox> search(std::vector{box_of(surface.domain)});
   while (!search.open().empty() && search.depth() < 2 * kAllHalvings) {
     const bool are_points = search.depth() >= 2 * kHalvingsToSame;
-    if (budget < search.open().size())
-      return are_points ? search.open() : std::vector<ParameterBox>{};
+    if (budget < search.open().size()) {
+      if (are_points) break;
+      return {};
+    }
     budget -= search.open().size();
     search.test([&](const ParameterBox& box) {
-      return are_continuous(enclosure.enclose(box)) ? ProofOutcome::Proved : ProofOutcome::Open;
+      const std::span<const Interval> bounds = enclosure.enclose(box);
+      if (are_continuous(bounds)) return ProofOutcome::Proved;
+      const bool is_hole = least_defined(bounds.first(3)) == Defined::No;
+      return is_hole ? ProofOutcome::Refuted : ProofOutcome::Open;
     });
-    if (search.open().size() > kMostFollowed && !are_points) keep_points(search.open());
+    if (are_points && search.open().size() > kMostOpen) keep_crossings(enclosure, search.open());
+    if (!are_points && search.open().size() > kMostFollowed) keep_points(enclosure, search.open());
     search.halve_in_turn(AtLastDigit::Keep);
   }
   return search.open();
 }
 
-/// Candidates for a coordinate of the point in a box, the best last.
+/// Candidates for a coordinate of the point in a box, the best first.
 std::vector<double> coordinates(double low, double high, double range) {
-  std::vector<double> all = {low, high};
-  if (std::min(std::fabs(low), std::fabs(high)) <= kRounding * range) all.push_back(0);
-  return all;
+  if (std::min(std::fabs(low), std::fabs(high)) <= kRounding * range) return {0, low, high};
+  return {low, high};
 }
 
-/// Appends places between neighbouring doubles, one for boxes that touch: all doubles beside a
-/// point such as that of hypot(u^2 - 2, v) have tangents. `known`: points that were found.
-void append_between_doubles(std::span<const ParameterBox> boxes, const dvec2& range,
-                            std::span<const dvec2> known, std::vector<dvec2>& places) {
+/// A place at which the surface may not be smooth, and how many of r, r_u and r_v it has there. A
+/// point such as that of hypot(u^2 - 2, v) is no double: all those beside it have tangents.
+struct Candidate {
+  dvec2 uv;
+  int defined;
+};
+
+/// Whether a place is at the edge of a domain. There a jump shows one of its sheets alone.
+bool is_at_edge(const dvec2& uv, const ParameterBox& domain) {
+  const dvec2 near = kNearly * domain.size();
+  return glm::any(glm::lessThan(glm::abs(uv - domain.low), near)) ||
+         glm::any(glm::lessThan(glm::abs(uv - domain.high), near));
+}
+
+/// One candidate for the boxes around a point, with the fewest defined: where two lines cross on
+/// which one tangent is undefined, both are.
+std::vector<Candidate> candidates_in(const Surface& surface, std::span<const ParameterBox> boxes,
+                                     unsigned threads) {
+  const dvec2 range = box_of(surface.domain).size();
+  std::vector<dvec2> places;
   for (const auto& [low, high] : boxes) {
-    const dvec2 uv(coordinates(low.x, high.x, range.x).back(),
-                   coordinates(low.y, high.y, range.y).back());
-    const auto is_there = [&](const dvec2& other) {
-      return glm::length((uv - other) / range) < kNearly;
-    };
-    if (std::ranges::none_of(known, is_there) && std::ranges::none_of(places, is_there))
-      places.push_back(uv);
+    for (const double u : coordinates(low.x, high.x, range.x)) {
+      for (const double v : coordinates(low.y, high.y, range.y)) places.emplace_back(u, v);
+    }
   }
+  const std::vector<SurfacePoint> points = evaluate(surface, places, threads);
+  std::vector<Candidate> all;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const SurfacePoint& p = points[k];
+    const int tangents = (is_finite(p.r_u) ? 1 : 0) + (is_finite(p.r_v) ? 1 : 0);
+    all.push_back({places[k], is_finite(p.position) ? 1 + tangents : 0});
+  }
+  std::ranges::stable_sort(all, {}, &Candidate::defined);
+  std::vector<Candidate> apart;
+  for (const Candidate& candidate : all) {
+    const auto is_there = [&](const Candidate& other) {
+      return glm::length((candidate.uv - other.uv) / range) < kNearly;
+    };
+    if (std::ranges::none_of(apart, is_there)) apart.push_back(candidate);
+  }
+  return apart;
 }
 
 }  // namespace
 
 NonsmoothPoints find_nonsmooth_points(const Surface& surface, double diagonal, unsigned threads) {
-  const dvec2 range = box_of(surface.domain).size();
-  const std::vector<ParameterBox> boxes = nonsmooth_boxes(surface);
-  std::vector<dvec2> places;
-  for (const ParameterBox& box : boxes) {
-    for (const double u : coordinates(box.low.x, box.high.x, range.x)) {
-      for (const double v : coordinates(box.low.y, box.high.y, range.y)) {
-        if (std::ranges::count(places, dvec2(u, v)) == 0) places.emplace_back(u, v);
-      }
-    }
-  }
-  const std::vector<SurfacePoint> points = evaluate(surface, places, threads);
-  NonsmoothPoints rough;
-  std::vector<dvec2> unclear;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const bool has_tangents = is_finite(points[k].r_u) && is_finite(points[k].r_v);
-    if (!is_finite(points[k].position)) {
-      unclear.push_back(places[k]);
-    } else if (!has_tangents) {
-      rough.conical.push_back(places[k]);
-    }
-  }
-  const std::size_t undefined = unclear.size();
-  append_between_doubles(boxes, range, rough.conical, unclear);
+  const std::vector<Candidate> candidates =
+      candidates_in(surface, nonsmooth_boxes(surface), threads);
+  std::vector<dvec2> places(candidates.size());
+  std::ranges::transform(candidates, places.begin(), &Candidate::uv);
   const std::vector<PointSingularity> singularities =
-      classify_points(surface, unclear, diagonal, threads);
-  for (std::size_t k = 0; k < unclear.size(); ++k) {
-    // Between doubles, a vertex would have any of the values around the point.
-    if (singularities[k].kind == PointSingularity::Kind::Essential && k < undefined)
-      rough.without_limit.push_back(unclear[k]);
-    const bool is_filled = singularities[k].kind == PointSingularity::Kind::Removable;
-    if (is_filled && normals_around(surface, unclear[k]).size() > 1)
-      rough.conical.push_back(unclear[k]);
+      classify_points(surface, places, diagonal, threads);
+  NonsmoothPoints rough;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    const auto& [uv, defined] = candidates[k];
+    // A vertex with a position would have any of those around the point.
+    if (singularities[k].kind == PointSingularity::Kind::Essential && defined == 0)
+      rough.without_limit.push_back(uv);
+    if (singularities[k].kind != PointSingularity::Kind::Removable) continue;
+    const bool lacks_tangents = defined == 1 || defined == 2;
+    if (defined == 3 && is_at_edge(uv, box_of(surface.domain))) continue;
+    if (lacks_tangents || normals_around(surface, uv).size() > 1) rough.conical.push_back(uv);
   }
   return rough;
 }

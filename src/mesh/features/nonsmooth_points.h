@@ -1,4 +1,4 @@
-// Isolated points at which the tangents of a surface, or its positions, are not defined.
+// Isolated points at which a surface is not smooth: tips, and points where creases cross.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,8 @@ struct NonsmoothPoints {
 };
 
 /// The points to which boxes shrink in which bounds do not prove tangents to be continuous, but
-/// for those on curves. For a surface of second order. `diagonal`: of a box around the surface.
+/// for those on curves. Where curves cross, more operations break a box than along either. For a
+/// surface of second order. `diagonal`: of a box around the surface.
 NonsmoothPoints find_nonsmooth_points(const Surface& surface, double diagonal, unsigned threads);
 
 }  // namespace saddle

@@ -62,6 +62,26 @@ TEST(NonsmoothPoints, AreFoundBetweenDoubles) {
   }
 }
 
+TEST(NonsmoothPoints, AreWhereCreasesCross) {
+  const auto at = [](double u, double v) {
+    return [u, v](const dvec2& uv) { return glm::distance(uv, dvec2(u, v)) < 1e-12; };
+  };
+  for (const char* const z : {"abs(u-0.1)^0.3+abs(v-0.2)^0.3", "sqrt(abs(u-0.1)+abs(v-0.2))",
+                              "abs(u-0.1)+abs(v-0.2)", "max(u-0.1,0)+abs(u+v-0.3)"}) {
+    const std::vector<dvec2> points = find_nonsmooth_points(height_field(z), 2, 1).conical;
+    ASSERT_EQ(points.size(), 1U) << z;
+    EXPECT_TRUE(at(0.1, 0.2)(points[0])) << z;
+  }
+  // No lines of constant u or v, and a place that no double has.
+  const std::vector<dvec2> points =
+      find_nonsmooth_points(height_field("(abs(u+0.3*v-0.1)+abs(v-0.2-0.4*u))^0.3"), 2, 1).conical;
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_TRUE(at(0.04 / 1.12, 0.24 / 1.12)(points[0]));
+  // A crease alone, a jump, and the corner of a domain hold none.
+  for (const char* const z : {"abs(u-0.3*v)^0.3", "floor(3*u)+abs(v)", "sqrt(u-0.1)+sqrt(v-0.2)"})
+    EXPECT_TRUE(find_nonsmooth_points(height_field(z), 2, 1).conical.empty()) << z;
+}
+
 /// The sheets of atan2(v, u) reach to heights of -pi and pi at the end of its jump.
 TEST(NonsmoothPoints, AreReachedByTheSheetsOfAJumpThatEndsThere) {
   const double tolerance = 3.5e-3;

@@ -30,6 +30,19 @@ TEST(Enclosure, KnowsThatAChoiceOfNanMayBeUndefined) {
   }
 }
 
+TEST(Enclosure, CountsTheOperationsThatBreakABox) {
+  const auto breaks = [](const char* formula, const Interval& u, const Interval& v) {
+    Graph graph;
+    const Tape tape = compile(graph, std::vector{parse(graph, formula)});
+    return Enclosure(tape).count_breaks(u, v);
+  };
+  const char* const two = "floor(u)+sqrt(floor(v))+ln(u+3)";
+  EXPECT_EQ(breaks(two, {0.25, 0.5}, {0.25, 0.5}), 0U);
+  EXPECT_EQ(breaks(two, {0.5, 1.5}, {0.25, 0.5}), 1U);
+  EXPECT_EQ(breaks(two, {0.5, 1.5}, {1.5, 2.5}), 2U);       // not the root, whose argument jumps
+  EXPECT_EQ(breaks(two, {-3.75, -3.25}, {0.25, 0.5}), 1U);  // a logarithm of less than 0
+}
+
 TEST(Enclosure, BoundsASineAndACosineThatATapeComputesTogether) {
   expect_proved(enclosure("sin(u*v)+2*cos(u*v)", {0, 1}, {1, 1}));
   const Interval sum = enclosure("sin(u*v)+2*cos(u*v)", {0, 0.25}, {1, 1});
