@@ -166,16 +166,15 @@ void Enclosure::operator()(const Interval& u, const Interval& v, std::span<Inter
 
 std::size_t Enclosure::count_breaks(const Interval& u, const Interval& v) {
   std::size_t count = 0;
-  const auto is_whole = [](const Interval& a) { return a.defined == Defined::Yes && a.continuous; };
   slots_[of_u_.first] = of_u_.now = u;
   slots_[of_v_.first] = of_v_.now = v;
   for (const auto* const steps : {&of_u_.steps, &of_v_.steps, &of_both_}) {
     for (const Step& step : *steps) {
       const auto arguments = std::span(step.in).first(static_cast<std::size_t>(arity(step.op)));
-      const bool are_whole = std::ranges::all_of(
-          arguments, [&](std::uint32_t slot) { return is_whole(slots_[slot]); });
+      const bool are_continuous = std::ranges::all_of(
+          arguments, [&](std::uint32_t slot) { return is_continuous(slots_[slot]); });
       slots_[step.out] = apply(step);
-      if (are_whole && !is_whole(slots_[step.out])) ++count;
+      if (are_continuous && !is_continuous(slots_[step.out])) ++count;
     }
   }
   return count;
@@ -188,9 +187,8 @@ void enclose(const Tape& tape, const Interval& u, const Interval& v, std::span<I
 
 Interval mean_value(const Interval& natural, const Interval& at_middle, const Interval& slope_u,
                     const Interval& offset_u, const Interval& slope_v, const Interval& offset_v) {
-  const bool smooth = natural.defined == Defined::Yes && natural.continuous &&
-                      at_middle.defined == Defined::Yes && slope_u.defined == Defined::Yes &&
-                      slope_v.defined == Defined::Yes;
+  const bool smooth = is_continuous(natural) && at_middle.defined == Defined::Yes &&
+                      slope_u.defined == Defined::Yes && slope_v.defined == Defined::Yes;
   if (!smooth) return natural;
   const Interval near = at_middle + slope_u * offset_u + slope_v * offset_v;
   Interval r = natural;

@@ -38,8 +38,7 @@ Interval hull(const Interval& a, const Interval& b) {
 
 Interval narrow(const Interval& natural, const Interval& by_mean_value, const Interval& function) {
   constexpr double kRounding = 100 * rounding::kRoundoff;
-  const bool is_proved = by_mean_value.defined == Defined::Yes &&
-                         function.defined == Defined::Yes && function.continuous;
+  const bool is_proved = by_mean_value.defined == Defined::Yes && is_continuous(function);
   if (!is_proved) return natural;
   const double size = std::max(std::fabs(function.low), std::fabs(function.high));
   const double error = 2 * kRounding * size;

@@ -30,6 +30,11 @@ inline constexpr Interval kUndefined = {std::numeric_limits<double>::infinity(),
                                         -std::numeric_limits<double>::infinity(), Defined::No,
                                         true};
 
+/// Proved: defined in the whole box, without a jump or a pole.
+inline bool is_continuous(const Interval& a) {
+  return a.defined == Defined::Yes && a.continuous;
+}
+
 inline bool contains(const Interval& a, double x) {
   return a.low <= x && x <= a.high;
 }

@@ -11,8 +11,7 @@
 namespace saddle {
 
 bool are_continuous(std::span<const Interval> bounds) {
-  return std::ranges::all_of(
-      bounds, [](const Interval& a) { return a.defined == Defined::Yes && a.continuous; });
+  return std::ranges::all_of(bounds, is_continuous);
 }
 
 Defined least_defined(std::span<const Interval> bounds) {

@@ -52,6 +52,12 @@ class GroupBreaks {
   std::vector<std::vector<std::size_t>> of_groups_;
 };
 
+/// Keeps the boxes whose numbers `is_kept` holds for.
+void keep(const auto& is_kept, std::vector<ParameterBox>& boxes) {
+  std::size_t number = 0;
+  std::erase_if(boxes, [&](const ParameterBox&) { return !is_kept(number++); });
+}
+
 /// Leaves out the largest groups of boxes that touch, but for the places where features cross: they
 /// lie along curves. Four boxes meet at a point on their corners; along a curve their number
 /// doubles every two levels.
@@ -62,22 +68,15 @@ void keep_points(SurfaceEnclosure& enclosure, std::vector<ParameterBox>& boxes) 
     sizes.emplace_back(breaks.size(k), breaks.group(k));
   std::vector<std::pair<std::size_t, std::uint32_t>> sorted = sizes;
   std::ranges::sort(sorted);
-  std::vector<ParameterBox> kept;
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    if (sizes[k] < sorted[kMostFollowed] || breaks.has_many(k)) kept.push_back(boxes[k]);
-  }
-  boxes = std::move(kept);
+  const auto& first_left_out = sorted[kMostFollowed];
+  keep([&](std::size_t k) { return sizes[k] < first_left_out || breaks.has_many(k); }, boxes);
 }
 
 /// Leaves out boxes beside points in groups that are as small as points: those along curves that
 /// cross there.
 void keep_crossings(SurfaceEnclosure& enclosure, std::vector<ParameterBox>& boxes) {
   const GroupBreaks breaks(enclosure, boxes);
-  std::vector<ParameterBox> kept;
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    if (breaks.has_most(k)) kept.push_back(boxes[k]);
-  }
-  boxes = std::move(kept);
+  keep([&](std::size_t k) { return breaks.has_most(k); }, boxes);
 }
 
 /// The smallest boxes in which tangents are not proved to be continuous, but for those on curves:
