@@ -176,15 +176,20 @@ std::vector<FaceDistance::FarPlace> FaceDistance::far_from_own_cuts(
 /// Moves places to cuts of the triangles that are nearer.
 void FaceDistance::move_to_cuts(std::span<const Triangle> triangles,
                                 std::span<FarPlace> places) const {
-  for_faces([&](const Face& face) {
-    for (const Triangle& t : triangles) {
+  const auto& position = grid_.mesh.position;
+  for (const Triangle& t : triangles) {
+    Bounds around;
+    for (const std::uint32_t corner : t) around.add(position[corner]);
+    for_faces([&](const Face& face) {
+      // Most triangles cross no face.
+      if (!(around.low[face.axis] < face.limit && face.limit < around.high[face.axis])) return;
       const std::optional<CutSides> cut = sides_of_cut(t, face);
-      if (!cut) continue;
+      if (!cut) return;
       for (FarPlace& place : places) {
         if (place.crossing->face == face) place.move_to_cut(cut->ends);
       }
-    }
-  });
+    });
+  }
 }
 
 /// Moves places to parts of the surface's lines that are nearer, at a range of cuts.
