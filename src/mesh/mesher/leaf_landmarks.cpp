@@ -86,34 +86,50 @@ double LeafLandmarks::distance(const Landmark& landmark,
                            : distance_from(grid_, triangles, landmark.uv, landmark.position);
 }
 
-/// The distance from the triangles of all leaves that touch a leaf: a feature that cuts off its
-/// corner between two vertices belongs to a neighbour.
-double LeafLandmarks::distance_near(const Landmark& landmark, const Leaf& leaf,
-                                    const ValidatedMesh& mesh) const {
-  double least = std::numeric_limits<double>::infinity();
+/// Takes the distances from the triangles of leaves that touch those of the landmarks, where they
+/// are smaller: a feature that cuts off a leaf's corner between two vertices belongs to a
+/// neighbour.
+void LeafLandmarks::move_to_neighbours(std::vector<Far>& far, const ValidatedMesh& mesh) const {
+  const auto low_u = [&mesh](const Far& place) { return mesh.leaves[place.leaf].low.u; };
+  std::ranges::stable_sort(far, {}, low_u);
+  std::uint32_t widest = 0;
+  for (const Far& place : far) widest = std::max(widest, mesh.leaves[place.leaf].size_u());
   for (std::size_t k = 0; k < mesh.triangles.ranges.size(); ++k) {
-    if (touch(mesh.leaves[k], leaf))
-      least = std::min(least, distance(landmark, mesh.triangles.of(k)));
+    const Leaf& leaf = mesh.leaves[k];
+    const std::uint32_t from = std::max(leaf.low.u, widest) - widest;
+    const std::uint32_t to = leaf.high().u;
+    for (auto place = std::ranges::lower_bound(far, from, {}, low_u);
+         place != far.end() && low_u(*place) <= to; ++place) {
+      if (touch(leaf, mesh.leaves[place->leaf]))
+        place->distance =
+            std::min(place->distance, distance(places_[place->landmark], mesh.triangles.of(k)));
+    }
   }
-  return least;
 }
 
 void LeafLandmarks::measure(std::span<const std::size_t> which, ValidatedMesh& mesh) {
   if (places_.empty()) return;
+  const auto take = [&](const Far& found) {
+    const double allowed = mesh.allowed[found.leaf];
+    is_missed_[found.landmark] = found.distance > allowed ? 1 : 0;
+    mesh.add(found.leaf, std::isfinite(found.distance) ? found.distance : kMostSafety * allowed,
+             places_[found.landmark].uv);
+  };
+  std::vector<Far> far;
   for (const std::size_t k : which) {
     const Leaf& leaf = mesh.leaves[k];
     const bool is_left_out = leaf.state.leads_to_pole() || leaf.state.is_left_out();
-    const double allowed = mesh.allowed[k];
     for (const std::uint32_t number : landmarks_in(leaf)) {
       is_missed_[number] = 0;
       if (is_left_out) continue;
       const Landmark& landmark = places_[number];
-      double error = distance(landmark, mesh.triangles.of(k));
-      if (error > allowed && !landmark.is_hole()) error = distance_near(landmark, leaf, mesh);
-      is_missed_[number] = error > allowed ? 1 : 0;
-      mesh.add(k, std::isfinite(error) ? error : kMostSafety * allowed, landmark.uv);
+      const Far found{number, k, distance(landmark, mesh.triangles.of(k))};
+      found.distance > mesh.allowed[k] && !landmark.is_hole() ? far.push_back(found) : take(found);
     }
   }
+  if (far.empty()) return;
+  move_to_neighbours(far, mesh);
+  std::ranges::for_each(far, take);
 }
 
 bool LeafLandmarks::misses_hole(const Leaf& leaf) const {
@@ -130,7 +146,8 @@ void LeafLandmarks::complete(std::span<const Triangle> triangles, double toleran
     if (is_missed_[k] == 0 || places_[k].is_hole()) continue;
     if (!whole) whole.emplace(grid_, triangles);
     std::size_t visited = 0;
-    const double error = whole->nearest(places_[k].position, 0, {}, visited).distance;
+    const double error =
+        whole->nearest(places_[k].position, report.max_error, {}, visited).distance;
     if (error > std::max(report.max_error, tolerance)) report.worst_place = places_[k].uv;
     report.max_error = std::max(report.max_error, error);
   }

@@ -43,7 +43,13 @@ class LeafLandmarks {
  private:
   std::vector<std::uint32_t> landmarks_in(const Leaf& leaf) const;
   double distance(const Landmark& landmark, std::span<const Triangle> triangles) const;
-  double distance_near(const Landmark& landmark, const Leaf& leaf, const ValidatedMesh& mesh) const;
+  /// A landmark that is far from the triangles of its leaf.
+  struct Far {
+    std::uint32_t landmark;
+    std::size_t leaf;
+    double distance;
+  };
+  void move_to_neighbours(std::vector<Far>& far, const ValidatedMesh& mesh) const;
 
   const Grid& grid_;
   const CellTree& tree_;
