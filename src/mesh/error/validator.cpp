@@ -124,11 +124,11 @@ std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
     numbers.clear();
   };
   for (std::size_t k = 0; k < which.size(); ++k) {
-    if (!triangles.ranges[k].is_plain) {
+    const Leaf& leaf = mesh.leaves[which[k]];
+    if (!triangles.ranges[k].is_plain || !leaf.has_middle()) {
       others.push_back(k);
       continue;
     }
-    const Leaf& leaf = mesh.leaves[which[k]];
     const auto two = triangles.of(k);
     numbers.push_back(k);
     plain.push_back({tree_.vertices().parameters(leaf.low),

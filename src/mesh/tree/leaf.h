@@ -1,6 +1,7 @@
 // Leaves of the cell tree: rectangles between dyadic points.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -69,6 +70,8 @@ struct Leaf {
   std::uint32_t size_v() const { return kCellUnit >> halved_v; }
   DyadicPoint high() const { return {low.u + size_u(), low.v + size_v()}; }
   DyadicPoint middle() const { return {low.u + size_u() / 2, low.v + size_v() / 2}; }
+  /// Whether middle() lies inside. That of the narrowest leaves is on a side, or a corner.
+  bool has_middle() const { return std::min(size_u(), size_v()) > 1; }
   /// Counter-clockwise in (u, v), from the low corner.
   std::array<DyadicPoint, 4> corners() const {
     const DyadicPoint end = high();
