@@ -96,6 +96,7 @@ class Prover {
     int depth = 0;            ///< halvings that make a part as short
     std::size_t towards = 0;  ///< the end of the part before that it lies at
     int steady = 0;           ///< cuts in a row after which the part at that end was left alone
+    bool was_tested = false;
   };
 
   /// As near to an end of a line as so many halvings; nothing if there are no doubles between.
@@ -140,7 +141,8 @@ class Prover {
       return a.towards == 0 && b.towards == 1 && a.line.part[1] == b.line.part[0];
     };
     std::erase_if(level, [this](const Open& open) {
-      return open.depth < halvings_ && is_proved({open.line.part[0], open.line.part[1]});
+      return !open.was_tested && open.depth < halvings_ &&
+             is_proved({open.line.part[0], open.line.part[1]});
     });
     for (std::size_t k = 0; k < level.size(); ++k) {
       const bool is_alone = !(k > 0 && are_halves(level[k - 1], level[k])) &&
@@ -194,8 +196,10 @@ class Prover {
   }
 
   void add_unproved(const LinePart& line, std::vector<LinePart>& result) {
+    if (is_proved({line.part[0], line.part[1]})) return;
     std::vector<LinePart> rest;
     std::vector<Open> level = parts_beside_short_numbers(line, rest);
+    if (rest.empty()) level[0].was_tested = true;  // it is the whole line
     for (int cuts = 0; !level.empty(); ++cuts) {
       keep_unproved(level);
       const bool is_in_vain = cuts == kHalvingsToGlance && level.size() == 1 << kHalvingsToGlance &&
