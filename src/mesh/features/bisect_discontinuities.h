@@ -26,6 +26,7 @@ struct LocatedDiscontinuity {
   /// All jumps of the line in its order, if no others are found where bounds do not exclude them.
   std::vector<Line> jumps = {};
   bool is_proved = false;      ///< bounds exclude others of more than the tolerance
+  bool has_waves = false;      ///< more than kMostLineParts jumps were found
   bool is_cusp = false;        ///< the normal turns to its opposite; the tangents do not jump
   bool has_passed_by = false;  ///< a larger gap than that of a first part was not followed
 };

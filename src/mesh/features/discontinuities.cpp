@@ -259,8 +259,10 @@ class LineSearch {
       if (more_[i].kind == Discontinuity::Jump) add_jump(k, more_[i].ends, unused);
       if (is_full_[k]) is_complete_[k] = false;
     }
-    for (std::size_t k = 0; k < lines_.size(); ++k)
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
       found_[k].is_proved = is_complete_[k] && !is_unclear[k] && all[k] < kMostLineParts;
+      found_[k].has_waves = is_full_[k];
+    }
   }
 
   /// Adds discontinuities to those that lines were known to have first, the nearest ones first.
@@ -328,7 +330,7 @@ std::vector<std::vector<Line>> find_all_jumps(const Surface& surface, std::span<
   std::vector<std::size_t> numbers;  // of the lines of parts that were not searched
   std::vector<Line> parts;
   const auto split = [&](std::size_t k, const Line& part, const LocatedDiscontinuity& at) {
-    if (at.kind != Discontinuity::Jump || jumps[k].size() == kMostLineParts) {
+    if (at.kind != Discontinuity::Jump || at.has_waves || jumps[k].size() == kMostLineParts) {
       jumps[k].assign(kMostLineParts + 1, at.ends);
       return;
     }
