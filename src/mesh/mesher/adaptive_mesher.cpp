@@ -272,7 +272,9 @@ void AdaptiveMesher::refine(ActiveLeaves active, const SubdivisionGoal& goal) {
     landmarks_.append_missed(active.leaves, active.counterexamples);
   }
   const bool are_roots = active.are_roots;
-  append(subdivide(std::move(active), oscillation(), limits_, goal, grid_, tree_));
+  const Oscillation known = oscillation();
+  append(subdivide(std::move(active), known, limits_, goal, grid_, tree_));
+  if (goal.until != Until::OneGeneration) follow_thin_parts(known, goal);
   // Leaves that are halved later take up again what is free.
   if (has_forgotten_ && are_roots) give_back_free_memory();
   find_far_vertices();
@@ -287,6 +289,16 @@ void AdaptiveMesher::refine(ActiveLeaves active, const SubdivisionGoal& goal) {
   if (has_forgotten_ && !grid_.mesh.triangles.empty()) grid_.forget_triangles();
   if (has_forgotten_ && are_roots) give_back_free_memory();
   place_inner_vertices(first);
+}
+
+/// Follows thin parts from leaf to leaf: each leaf that they enter may lead to the next one.
+void AdaptiveMesher::follow_thin_parts(const Oscillation& known, const SubdivisionGoal& goal) {
+  for (;;) {
+    ActiveLeaves entered{reactivate_defined(halved_), {}};
+    if (entered.leaves.empty()) return;
+    landmarks_.append_missed(entered.leaves, entered.counterexamples);
+    append(subdivide(std::move(entered), known, limits_, goal, grid_, tree_));
+  }
 }
 
 /// Solves for corners of features in new leaves, numbered from `first`, whose chords miss them.

@@ -103,6 +103,7 @@ class AdaptiveMesher {
   std::optional<Failure> failure_of(std::size_t number);
   std::vector<Leaf> halve_failed();
   std::vector<Leaf> reactivate_defined(std::uint32_t since);
+  void follow_thin_parts(const Oscillation& known, const SubdivisionGoal& goal);
   void take_thinly_cut(std::uint32_t since, std::vector<std::size_t>& numbers,
                        std::vector<Leaf>& active) const;
   std::vector<std::size_t> find_jumping(std::span<const std::uint32_t> may_jump);
