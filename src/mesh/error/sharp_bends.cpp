@@ -55,6 +55,14 @@ bool bridges_bend(const Mesh& mesh, const Triangle& t) {
   return along < 0 || along * along < kBridgedCosineSquare * squares;
 }
 
+/// Whether a leaf holds both edges of a strip, or the way to a pole up to the clip box. There the
+/// surface may rise and turn between the edges, where few samples are.
+bool is_narrow(const Leaf& leaf, const CellTree& tree) {
+  if (leaf.state.is_whole()) return false;
+  return has_cut(FeatureKind::Face, leaf, tree) ||
+         (leaf.state.is_on_boundary() && count_features(leaf, tree).features > 2);
+}
+
 /// The side that a leaf's two triangles share.
 std::array<std::uint32_t, 2> diagonal_of(std::span<const Triangle> two) {
   const Triangle& t = two[0];
@@ -117,6 +125,8 @@ std::optional<SharpBends::Targets> SharpBends::targets_of(
   }
   if (is_bridged && (leaf.state.is_whole() || count_features(leaf, tree_).is_continuous))
     return Targets{has_thick_bridge, false, has_thick_bridge, true};
+  if (is_narrow(leaf, tree_) && mesh.error_ratio(number) > kDoubtful)
+    return Targets{true, false, true};
   if (!leaf.state.is_whole()) return std::nullopt;
   const Targets targets{mesh.error_ratio(number) > kDoubtful, leaf.known_error > kDoubtfulSides};
   if (!targets.places && !targets.sides) return std::nullopt;

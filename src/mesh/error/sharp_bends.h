@@ -28,9 +28,9 @@ class SharpBends {
       : surface_(surface), grid_(grid), tree_(tree), threads_(threads) {}
 
   /// Adds a validated leaf with its triangles, which must outlive this. Leaves are added in the
-  /// order of their triangles. Skips leaves with edge features other than creases.
-  /// Skips leaves that are above their tolerance, and leaves whose points are enough. `centre`: of
-  /// a leaf whose estimate exceeds kLeastEstimate tolerances.
+  /// order of their triangles. Skips leaves with edge features other than creases, strips and faces
+  /// of the clip box, leaves that are above their tolerance, and leaves whose points are enough.
+  /// `centre`: of a leaf whose estimate exceeds kLeastEstimate tolerances.
   void add(const ValidatedMesh& mesh, std::size_t number, std::span<const Triangle> triangles,
            const std::optional<LeafCentre>& centre);
 
