@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "mesh/distance/crease_distance.h"
+#include "mesh/model/clip.h"
 #include "mesh/model/sample_places.h"
 #include "mesh/model/sides.h"
 #include "mesh/model/tolerances.h"
@@ -55,12 +56,24 @@ bool bridges_bend(const Mesh& mesh, const Triangle& t) {
   return along < 0 || along * along < kBridgedCosineSquare * squares;
 }
 
-/// Whether a leaf holds both edges of a strip, or the way to a pole up to the clip box. There the
-/// surface may rise and turn between the edges, where few samples are.
-bool is_narrow(const Leaf& leaf, const CellTree& tree) {
-  if (leaf.state.is_whole()) return false;
-  return has_cut(FeatureKind::Face, leaf, tree) ||
-         (leaf.state.is_on_boundary() && count_features(leaf, tree).features > 2);
+/// Whether a leaf on the boundary holds both edges of a strip.
+bool is_strip(const Leaf& leaf, const CellTree& tree) {
+  const auto has = [&](FeatureKind kind) { return has_cut(kind, leaf, tree); };
+  return count_features(leaf, tree).features > 2 && !has(FeatureKind::Face) &&
+         !has(FeatureKind::Pole) && !has(FeatureKind::Essential);
+}
+
+/// The box around the parameters of triangles.
+ParameterBox box_around(std::span<const Triangle> triangles, const Mesh& mesh) {
+  const dvec2& first = mesh.uv[triangles[0][0]];
+  ParameterBox box{first, first};
+  for (const Triangle& t : triangles) {
+    for (const std::uint32_t corner : t) {
+      box.low = glm::min(box.low, mesh.uv[corner]);
+      box.high = glm::max(box.high, mesh.uv[corner]);
+    }
+  }
+  return box;
 }
 
 /// The side that a leaf's two triangles share.
@@ -108,8 +121,9 @@ void SharpBends::add(const ValidatedMesh& mesh, std::size_t number,
   const Leaf& leaf = mesh.leaves[number];
   const std::optional<Targets> targets = targets_of(mesh, number, triangles, centre);
   if (!targets) return;
-  leaves_.push_back({number, tree_.vertices().parameters(leaf.low),
-                     tree_.vertices().parameters(leaf.high()), triangles, *targets});
+  ParameterBox box{tree_.vertices().parameters(leaf.low), tree_.vertices().parameters(leaf.high())};
+  if (targets->in_strip) box = box_around(triangles, grid_.mesh);
+  leaves_.push_back({number, box.low, box.high, triangles, *targets});
 }
 
 std::optional<SharpBends::Targets> SharpBends::targets_of(
@@ -125,10 +139,17 @@ std::optional<SharpBends::Targets> SharpBends::targets_of(
   }
   if (is_bridged && (leaf.state.is_whole() || count_features(leaf, tree_).is_continuous))
     return Targets{has_thick_bridge, false, has_thick_bridge, true};
-  if (is_narrow(leaf, tree_) && mesh.error_ratio(number) > kDoubtful)
-    return Targets{true, false, true};
-  if (!leaf.state.is_whole()) return std::nullopt;
-  const Targets targets{mesh.error_ratio(number) > kDoubtful, leaf.known_error > kDoubtfulSides};
+  const bool is_doubtful = mesh.error_ratio(number) > kDoubtful;
+  if (!leaf.state.is_whole()) {
+    // Between both edges of a strip, and from a pole to the clip box, the surface may rise and turn
+    // where few samples are. Near a pole it may be where no search from triangles comes.
+    if (!is_doubtful) return std::nullopt;
+    if (leaf.state.is_on_boundary() && is_strip(leaf, tree_))
+      return Targets{true, false, true, true, true};
+    const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
+    return is_at_face ? std::optional(Targets{true, false, true}) : std::nullopt;
+  }
+  const Targets targets{is_doubtful, leaf.known_error > kDoubtfulSides};
   if (!targets.places && !targets.sides) return std::nullopt;
   if (turns_sharply(grid_.mesh, leaf.samples.corner)) return targets;
   if (mesh.sampled_errors[number].degrees > kSharpDegrees) {
@@ -173,6 +194,7 @@ void SharpBends::append_middles(std::size_t number, std::vector<Place>& places) 
 
 void SharpBends::validate_at(const dvec2& uv, const dvec3& position, SharpLeaf& leaf,
                              ValidatedMesh& mesh) const {
+  if (!is_seen(clip_, position)) return;
   const double distance = distance_from(grid_, leaf.triangles, uv, position, leaf.distance);
   if (!(distance > leaf.distance)) return;
   leaf.distance = distance;
@@ -223,8 +245,8 @@ void SharpBends::search(ValidatedMesh& mesh) {
   std::vector<dvec2> uv;
   for (const double step : kStepShares) {
     std::erase_if(leaves_, [&](const SharpLeaf& leaf) {
-      return !mesh.is_near(leaf.number) ||
-             leaf.distance < kLeastEstimate * mesh.allowed[leaf.number];
+      const double least = leaf.targets.in_strip ? kDoubtful : kLeastEstimate;
+      return !mesh.is_near(leaf.number) || leaf.distance < least * mesh.allowed[leaf.number];
     });
     uv.clear();
     for (const SharpLeaf& leaf : leaves_) {

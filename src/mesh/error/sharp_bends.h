@@ -20,12 +20,15 @@ namespace saddle {
 class SharpBends {
  public:
   /// A compass search starts at the farthest place of a leaf, if its distance is at least 0.85
-  /// tolerances. For sides whose middles are nearer to the surface at their parameters, the nearest
-  /// point is not searched; nor are diagonals of leaves that are estimated to be nearer.
+  /// tolerances; in a strip, 0.5. For sides whose middles are nearer to the surface at their
+  /// parameters, the nearest point is not searched; nor are diagonals of leaves that are estimated
+  /// to be nearer.
   static constexpr double kLeastEstimate = 0.85;
 
-  SharpBends(const Surface& surface, const Grid& grid, const CellTree& tree, unsigned threads)
-      : surface_(surface), grid_(grid), tree_(tree), threads_(threads) {}
+  /// The surface outside of `clip`, which must outlive this, is at no distance.
+  SharpBends(const Surface& surface, const Grid& grid, const CellTree& tree,
+             const std::optional<Bounds>& clip, unsigned threads)
+      : surface_(surface), grid_(grid), tree_(tree), clip_(clip), threads_(threads) {}
 
   /// Adds a validated leaf with its triangles, which must outlive this. Leaves are added in the
   /// order of their triangles. Skips leaves with edge features other than creases, strips and faces
@@ -46,6 +49,7 @@ class SharpBends {
     bool places, sides;
     bool everywhere = false;      ///< at a lattice of places
     bool from_triangles = false;  ///< the surface from the triangles, too
+    bool in_strip = false;        ///< places are in the box of the triangles, not of the leaf
   };
   struct SharpLeaf {
     std::size_t number;
@@ -77,6 +81,7 @@ class SharpBends {
   const Surface& surface_;
   const Grid& grid_;
   const CellTree& tree_;
+  const std::optional<Bounds>& clip_;
   unsigned threads_;
   std::vector<SharpLeaf> leaves_;
   std::size_t evaluations_ = 0;

@@ -224,7 +224,7 @@ void Validator::validate_sharp_bends(ValidatedMesh& mesh, std::span<const std::s
                                      const LeafTriangles& triangles) {
   for (std::size_t begin = 0; begin < which.size(); begin += kKeptAtATime) {
     const auto some = which.subspan(begin, std::min(kKeptAtATime, which.size() - begin));
-    SharpBends bends(surface_, grid_, tree_, threads_);
+    SharpBends bends(surface_, grid_, tree_, clip_, threads_);
     const LeafCentres centres(surface_, mesh, some, SharpBends::kLeastEstimate, tree_, threads_);
     for (std::size_t i = 0; i < some.size(); ++i) {
       const auto of_leaf = triangles.of(begin + i);
