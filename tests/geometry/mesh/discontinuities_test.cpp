@@ -167,5 +167,17 @@ TEST(JumpSearch, FindsAllJumpsWhereBoundsProveNothing) {
   EXPECT_EQ(find_all_jumps(steps, std::span(&line, 1), found, 0.01, 1, work)[0].size(), 3U);
 }
 
+TEST(JumpSearch, GivesUpAtOnceWhereALineIsKnownToHaveWaves) {
+  const Surface waves = height_field("floor(40*u)/4", {-1, 2, -1, 1});
+  const Line line = {dvec2(-1, 0.3), dvec2(2, 0.3)};
+  std::size_t work = 0;
+  const auto found = find_discontinuities(waves, std::span(&line, 1), 0.01, 1, work);
+  EXPECT_EQ(found[0].kind, Discontinuity::Jump);
+  EXPECT_TRUE(found[0].has_waves);
+  const std::size_t before = work;
+  EXPECT_TRUE(find_all_jumps(waves, std::span(&line, 1), found, 0.01, 1, work)[0].empty());
+  EXPECT_EQ(work, before);
+}
+
 }  // namespace
 }  // namespace saddle

@@ -92,10 +92,12 @@ TEST(Continuity, TellsHowManyBoxesItTested) {
   std::size_t boxes = 10;
   unproved(height_field("u"), lines_along_u(), 1e-3, boxes);
   EXPECT_EQ(boxes, 11);  // one around all lines is enough
+  unproved(height_field("u"), {lines_along_u()[0]}, 1e-3, boxes);
+  EXPECT_EQ(boxes, 12);
   const std::array<Line, 1> line = {lines_along_u()[0].part};
   Patience patience;
   unproved_normals(height_field("u"), line, patience, boxes);
-  EXPECT_EQ(boxes, 12);
+  EXPECT_EQ(boxes, 13);
 }
 
 TEST(Continuity, IsNotProvedAtAnyOfSomeBreaksOfALine) {
