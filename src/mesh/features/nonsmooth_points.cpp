@@ -25,7 +25,6 @@ namespace {
 
 /// Searches: a point takes about 600 boxes down to its doubles.
 constexpr std::size_t kSearchesForPoints = 4;
-
 /// For each box, the breaks of the boxes of its group, in order.
 class GroupBreaks {
  public:
@@ -85,21 +84,28 @@ std::vector<ParameterBox> nonsmooth_boxes(const Surface& surface) {
   SurfaceEnclosure enclosure(surface, Bounded::Tangents);
   std::size_t budget = kSearchesForPoints * ProofBudget(surface.bounds).boxes_of_search();
   BoxSubdivision<ParameterBox> search(std::vector{box_of(surface.domain)});
+  const auto take = [&budget](std::size_t boxes) { budget = std::max(budget, boxes) - boxes; };
   while (!search.open().empty() && search.depth() < 2 * kAllHalvings) {
-    const bool are_points = search.depth() >= 2 * kHalvingsToSame;
-    if (budget < search.open().size()) {
+    const int to_points = std::max(2 * kHalvingsToSame - search.depth(), 0);
+    const bool are_points = to_points == 0;
+    // By then there are about as many boxes around points as there will be at each level.
+    const bool is_settled = search.depth() >= 2 * kHalvingsToSight && !are_points;
+    const std::size_t levels = is_settled ? static_cast<std::size_t>(to_points) : 1;
+    if (budget < levels * search.open().size()) {
       if (are_points) break;
       return {};
     }
-    budget -= search.open().size();
+    take(search.open().size());
     search.test([&](const ParameterBox& box) {
       const std::span<const Interval> bounds = enclosure.enclose(box);
       if (are_continuous(bounds)) return ProofOutcome::Proved;
       const bool is_hole = least_defined(bounds.first(3)) == Defined::No;
       return is_hole ? ProofOutcome::Refuted : ProofOutcome::Open;
     });
-    if (are_points && search.open().size() > kMostOpen) keep_crossings(enclosure, search.open());
-    if (!are_points && search.open().size() > kMostFollowed) keep_points(enclosure, search.open());
+    if (search.open().size() > (are_points ? kMostOpen : kMostFollowed)) {
+      take(search.open().size());
+      are_points ? keep_crossings(enclosure, search.open()) : keep_points(enclosure, search.open());
+    }
     search.halve_in_turn(AtLastDigit::Keep);
   }
   return search.open();
