@@ -143,10 +143,9 @@ std::optional<SharpBends::Targets> SharpBends::targets_of(
   if (!leaf.state.is_whole()) {
     // Between both edges of a strip, and from a pole to the clip box, the surface may rise and turn
     // where few samples are. Near a pole it may be where no search from triangles comes.
-    if (!is_doubtful) return std::nullopt;
     if (leaf.state.is_on_boundary() && is_strip(leaf, tree_))
-      return Targets{true, false, true, true, true};
-    const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
+      return Targets{is_doubtful, false, true, is_doubtful, true};
+    const bool is_at_face = is_doubtful && has_cut(FeatureKind::Face, leaf, tree_);
     return is_at_face ? std::optional(Targets{true, false, true}) : std::nullopt;
   }
   const Targets targets{is_doubtful, leaf.known_error > kDoubtfulSides};
@@ -178,6 +177,25 @@ void SharpBends::append_places(std::size_t number, std::vector<Place>& places) c
   }
 }
 
+/// Half-way between the middles of any two edges. Where two strips end in a leaf, they may be one.
+void SharpBends::append_between_edges(std::size_t number, std::vector<Place>& places) const {
+  const std::span<const Triangle> triangles = leaves_[number].triangles;
+  const auto is_on_edge = [this](std::uint32_t corner) {
+    return tree_.vertices().is_on_feature(corner);
+  };
+  std::vector<dvec2> middles;
+  for (const Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k];
+      const std::uint32_t b = t[(k + 1) % 3];
+      if (!is_on_edge(a) || !is_on_edge(b) || has_side(triangles, b, a)) continue;
+      const dvec2 middle = 0.5 * (grid_.mesh.uv[a] + grid_.mesh.uv[b]);
+      for (const dvec2& other : middles) places.push_back({number, 0.5 * (middle + other)});
+      middles.push_back(middle);
+    }
+  }
+}
+
 /// The middles of triangles' sides, each once.
 void SharpBends::append_middles(std::size_t number, std::vector<Place>& places) const {
   const std::span<const Triangle> triangles = leaves_[number].triangles;
@@ -206,6 +224,7 @@ void SharpBends::sample(ValidatedMesh& mesh) {
   std::vector<Place> places;
   for (std::size_t k = 0; k < leaves_.size(); ++k) {
     if (leaves_[k].targets.places) append_places(k, places);
+    if (leaves_[k].targets.in_strip) append_between_edges(k, places);
     if (leaves_[k].targets.sides) append_middles(k, places);
   }
   std::vector<dvec2> uv(places.size());

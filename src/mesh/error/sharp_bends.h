@@ -69,6 +69,7 @@ class SharpBends {
                                     std::span<const Triangle> triangles,
                                     const std::optional<LeafCentre>& centre) const;
   void append_places(std::size_t number, std::vector<Place>& places) const;
+  void append_between_edges(std::size_t number, std::vector<Place>& places) const;
   void append_middles(std::size_t number, std::vector<Place>& places) const;
   void sample(ValidatedMesh& mesh);
   void search(ValidatedMesh& mesh);
