@@ -25,6 +25,7 @@ namespace {
 
 /// Searches: a point takes about 600 boxes down to its doubles.
 constexpr std::size_t kSearchesForPoints = 4;
+
 /// For each box, the breaks of the boxes of its group, in order.
 class GroupBreaks {
  public:
