@@ -30,10 +30,21 @@ void FaceDistance::for_faces(const auto& act) const {
   }
 }
 
-void FaceDistance::add(std::size_t leaf, std::span<const Triangle> triangles) {
+/// Calls act(face, cut) for each face that cuts a triangle.
+void FaceDistance::for_cuts(const Triangle& t, const auto& act) const {
+  Bounds around;
+  for (const std::uint32_t corner : t) around.add(grid_.mesh.position[corner]);
   for_faces([&](const Face& face) {
-    for (const Triangle& t : triangles) add_cut(leaf, t, face);
+    // Most triangles cross no face.
+    if (!(around.low[face.axis] < face.limit && face.limit < around.high[face.axis])) return;
+    if (const std::optional<CutSides> cut = sides_of_cut(t, face)) act(face, *cut);
   });
+}
+
+void FaceDistance::add(std::size_t leaf, std::span<const Triangle> triangles) {
+  for (const Triangle& t : triangles) {
+    for_cuts(t, [&](const Face& face, const CutSides& cut) { add_cut(leaf, t, face, cut); });
+  }
 }
 
 /// The sides of a triangle that cross a face, and where; nothing if there are not two.
@@ -56,15 +67,15 @@ std::optional<FaceDistance::CutSides> FaceDistance::sides_of_cut(const Triangle&
 }
 
 /// Adds the cut of a triangle by a face, if it is not beyond the box's other faces.
-void FaceDistance::add_cut(std::size_t leaf, const Triangle& t, const Face& face) {
-  const std::optional<CutSides> found = sides_of_cut(t, face);
-  if (!found || is_beyond(clip_, found->ends)) return;
+void FaceDistance::add_cut(std::size_t leaf, const Triangle& t, const Face& face,
+                           const CutSides& found) {
+  if (is_beyond(clip_, found.ends)) return;
   const Mesh& mesh = grid_.mesh;
   const ParameterBox around = box_around({mesh.uv[t[0]], mesh.uv[t[1]], mesh.uv[t[2]]});
-  Cut cut{leaf, face, around.size(), found->ends, {}};
+  Cut cut{leaf, face, around.size(), found.ends, {}};
   for (std::size_t k = 0; k < 2; ++k) {
-    const std::uint32_t a = t[found->sides[k]];
-    const std::uint32_t b = t[(found->sides[k] + 1) % 3];
+    const std::uint32_t a = t[found.sides[k]];
+    const std::uint32_t b = t[(found.sides[k] + 1) % 3];
     const auto height = [&](std::uint32_t end) {
       return mesh.position[end][face.axis] - face.limit;
     };
@@ -176,17 +187,10 @@ std::vector<FaceDistance::FarPlace> FaceDistance::far_from_own_cuts(
 /// Moves places to cuts of the triangles that are nearer.
 void FaceDistance::move_to_cuts(std::span<const Triangle> triangles,
                                 std::span<FarPlace> places) const {
-  const auto& position = grid_.mesh.position;
   for (const Triangle& t : triangles) {
-    Bounds around;
-    for (const std::uint32_t corner : t) around.add(position[corner]);
-    for_faces([&](const Face& face) {
-      // Most triangles cross no face.
-      if (!(around.low[face.axis] < face.limit && face.limit < around.high[face.axis])) return;
-      const std::optional<CutSides> cut = sides_of_cut(t, face);
-      if (!cut) return;
+    for_cuts(t, [&](const Face& face, const CutSides& cut) {
       for (FarPlace& place : places) {
-        if (place.crossing->face == face) place.move_to_cut(cut->ends);
+        if (place.crossing->face == face) place.move_to_cut(cut.ends);
       }
     });
   }

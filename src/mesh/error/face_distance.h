@@ -75,8 +75,9 @@ class FaceDistance {
     }
   };
   void for_faces(const auto& act) const;
+  void for_cuts(const Triangle& t, const auto& act) const;
   std::optional<CutSides> sides_of_cut(const Triangle& t, const Face& face) const;
-  void add_cut(std::size_t leaf, const Triangle& t, const Face& face);
+  void add_cut(std::size_t leaf, const Triangle& t, const Face& face, const CutSides& found);
   static Crossing crossing_of(Line line, std::array<double, 2> heights, const Face& face);
   std::size_t number_of(const Crossing& crossing, std::size_t leaf);
   void find(std::vector<Crossing>& crossings);

@@ -146,6 +146,7 @@ void LeafLandmarks::complete(std::span<const Triangle> triangles, double toleran
     if (is_missed_[k] == 0 || places_[k].is_hole()) continue;
     if (!whole) whole.emplace(grid_, triangles);
     std::size_t visited = 0;
+    // A triangle within the largest known error is enough.
     const double error =
         whole->nearest(places_[k].position, report.max_error, {}, visited).distance;
     if (error > std::max(report.max_error, tolerance)) report.worst_place = places_[k].uv;
