@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
+
 #include "base/parallel.h"
 #include "mesh/model/tolerances.h"
 
@@ -40,8 +42,10 @@ double square_distance(const dvec3& p, const dvec3& a, const dvec3& b, const dve
   return square(p - (a + vb / sum * ab + vc / sum * ac));
 }
 
+/// By the nearest point of the box: of the larger of the distances from its faces and 0, the
+/// compiler makes jumps, which are hard to predict.
 double square_distance(const dvec3& p, const Bounds& box) {
-  return square(glm::max(glm::max(box.low - p, p - box.high), dvec3(0)));
+  return square(p - glm::clamp(p, box.low, box.high));
 }
 
 }  // namespace
