@@ -1,4 +1,5 @@
-// The vector types of the whole program: GLM's, in double; floats exist only on the way to the GPU.
+// The vector types of the whole program: GLM's, in double; floats exist only on the way to the GPU,
+// and in many boxes, to save memory.
 #pragma once
 
 #include <cmath>

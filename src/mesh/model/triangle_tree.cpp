@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -52,31 +53,40 @@ double square_distance(const dvec3& p, const Bounds& box) {
 
 TriangleTree::TriangleTree(std::span<const dvec3> position, std::span<const Triangle> triangles,
                            std::shared_ptr<PointCount> count)
-    : position_(position), triangles_(triangles), count_(std::move(count)) {
-  std::vector<Item> items;
+    : position_(position), count_(std::move(count)) {
+  Array<Item> items;
   items.reserve(triangles.size());
   for (std::uint32_t k = 0; k < triangles.size(); ++k) {
     const Triangle& t = triangles[k];
     items.push_back({position[t[0]] + position[t[1]] + position[t[2]], k});
   }
-  order_.reserve(items.size());
-  if (!items.empty()) build(items);
+  entries_.reserve(items.size());
+  nodes_.reserve(2 * std::bit_ceil(items.size() / kTrianglesOfNode + 1));
+  if (!items.empty()) build(items, triangles);
+}
+
+/// Appends the triangles of a leaf.
+TriangleTree::Node TriangleTree::leaf_of(std::span<const Item> items,
+                                         std::span<const Triangle> triangles) {
+  Node leaf = {
+      {}, static_cast<std::uint32_t>(entries_.size()), static_cast<std::uint32_t>(items.size())};
+  for (const Item& item : items) {
+    const Triangle& corners = triangles[item.triangle];
+    const Bounds box = box_of(corners);
+    entries_.push_back({WideBox(box), corners, item.triangle});
+    leaf.box.add(box);
+  }
+  return leaf;
 }
 
 /// Nodes follow each other in the order of build(): a node, those of its first half, of its second.
-void TriangleTree::build(std::span<Item> items) {
-  const std::size_t self = nodes_.size();
-  nodes_.emplace_back();
+void TriangleTree::build(std::span<Item> items, std::span<const Triangle> triangles) {
   if (items.size() <= kTrianglesOfNode) {
-    nodes_[self].first = static_cast<std::uint32_t>(order_.size());
-    nodes_[self].count = static_cast<std::uint32_t>(items.size());
-    for (const Item& item : items) {
-      order_.push_back(item.triangle);
-      for (const std::uint32_t corner : triangles_[item.triangle])
-        nodes_[self].box.add(position_[corner]);
-    }
+    nodes_.push_back(leaf_of(items, triangles));
     return;
   }
+  const std::size_t self = nodes_.size();
+  nodes_.emplace_back();
   Bounds middles;
   for (const Item& item : items) middles.add(item.middle);
   const dvec3 size = middles.size();
@@ -84,13 +94,11 @@ void TriangleTree::build(std::span<Item> items) {
   const std::size_t half = items.size() / 2;
   std::ranges::nth_element(items, items.begin() + static_cast<std::ptrdiff_t>(half), {},
                            [axis](const Item& item) { return item.middle[axis]; });
-  build(items.first(half));
+  build(items.first(half), triangles);
   nodes_[self].first = static_cast<std::uint32_t>(nodes_.size());
-  build(items.subspan(half));
-  for (const std::size_t child : {self + 1, std::size_t{nodes_[self].first}}) {
-    nodes_[self].box.add(nodes_[child].box.low);
-    nodes_[self].box.add(nodes_[child].box.high);
-  }
+  build(items.subspan(half), triangles);
+  for (const std::size_t child : {self + 1, std::size_t{nodes_[self].first}})
+    nodes_[self].box.add(nodes_[child].box);
 }
 
 bool TriangleTree::overlap(const NodePair& pair) const {
@@ -140,9 +148,9 @@ std::vector<TriangleTree::NodePair> TriangleTree::pairs_of_tasks() const {
   return tasks;
 }
 
-Bounds TriangleTree::box_of(std::uint32_t triangle) const {
+Bounds TriangleTree::box_of(const Triangle& triangle) const {
   Bounds box;
-  for (const std::uint32_t corner : triangles_[triangle]) box.add(position_[corner]);
+  for (const std::uint32_t corner : triangle) box.add(position_[corner]);
   return box;
 }
 
@@ -151,16 +159,16 @@ void TriangleTree::test_leaves(const NodePair& pair, const PairTest& test, PairC
   const Node& a = nodes_[pair.first];
   const Node& b = nodes_[pair.second];
   for (std::uint32_t i = 0; i < a.count; ++i) {
-    const std::uint32_t t = order_[a.first + i];
-    const Bounds box = box_of(t);
+    const Entry& one = entries_[a.first + i];
+    const Bounds box = box_of(one.corners);
     for (std::uint32_t j = pair.first == pair.second ? i + 1 : 0; j < b.count; ++j) {
-      const std::uint32_t other = order_[b.first + j];
-      const Bounds its = box_of(other);
+      const Entry& other = entries_[b.first + j];
+      const Bounds its = box_of(other.corners);
       const bool meet = glm::all(glm::lessThanEqual(box.low, its.high)) &&
                         glm::all(glm::lessThanEqual(its.low, box.high));
       if (!meet) continue;
       ++count.tested;
-      if (test(t, other)) ++count.passed;
+      if (test(one.number, other.number)) ++count.passed;
     }
   }
 }
@@ -212,12 +220,13 @@ TriangleTree::Nearest TriangleTree::nearest(const dvec3& p, double known, double
     const Node& node = nodes_[visit.node];
     ++visited;
     if (node.count > 0) {
-      for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-        const Triangle& t = triangles_[order_[k]];
+      for (const Entry& entry : std::span(entries_).subspan(node.first, node.count)) {
+        if (square_distance(p, entry.box.bounds()) >= best) continue;  // of six, five
+        const Triangle& t = entry.corners;
         const double square = square_distance(p, position_[t[0]], position_[t[1]], position_[t[2]]);
         if (!(square < best)) continue;
         best = square;
-        which = order_[k];
+        which = entry.number;
       }
       continue;
     }

@@ -13,8 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/array.h"
 #include "eval/point_count.h"
 #include "mesh/model/mesh.h"
+#include "mesh/model/wide_box.h"
 
 namespace saddle {
 
@@ -30,7 +32,7 @@ struct PairCount {
 
 class TriangleTree {
  public:
-  /// The tree keeps references to its arguments.
+  /// The tree keeps a reference to the positions.
   explicit TriangleTree(const Mesh& mesh) : TriangleTree(mesh.position, mesh.triangles) {}
   /// Distances are counted as work in `count`, if there is one.
   TriangleTree(std::span<const dvec3> position, std::span<const Triangle> triangles,
@@ -64,26 +66,33 @@ class TriangleTree {
         0;  ///< leaf: of its triangles; else: its second child (the first follows)
     std::uint32_t count = 0;  ///< leaf: triangles; else 0
   };
+  /// A triangle, with what its test needs in one place: in large trees most time is waiting for
+  /// memory.
+  struct Entry {
+    WideBox box;
+    Triangle corners;
+    std::uint32_t number;
+  };
   /// A triangle and the sum of its corners.
   struct Item {
     dvec3 middle;
     std::uint32_t triangle;
   };
-  void build(std::span<Item> items);
+  Node leaf_of(std::span<const Item> items, std::span<const Triangle> triangles);
+  void build(std::span<Item> items, std::span<const Triangle> triangles);
   /// Two nodes, or one with itself, whose boxes overlap.
   using NodePair = std::pair<std::uint32_t, std::uint32_t>;
   bool overlap(const NodePair& pair) const;
   bool are_leaves(const NodePair& pair) const;
   void add_halves(const NodePair& pair, std::vector<NodePair>& pairs) const;
   std::vector<NodePair> pairs_of_tasks() const;
-  Bounds box_of(std::uint32_t triangle) const;
+  Bounds box_of(const Triangle& triangle) const;
   void test_leaves(const NodePair& pair, const PairTest& test, PairCount& count) const;
 
   std::span<const dvec3> position_;
-  std::span<const Triangle> triangles_;
   std::shared_ptr<PointCount> count_;
-  std::vector<std::uint32_t> order_;
-  std::vector<Node> nodes_;
+  Array<Entry> entries_;  // in the order of the leaves
+  Array<Node> nodes_;
 };
 
 }  // namespace saddle

@@ -1,0 +1,33 @@
+// A box of floats around a box of doubles: for tests that many boxes pass through, where memory is
+// what takes time.
+#pragma once
+
+#include <limits>
+
+#include <glm/common.hpp>
+
+#include "base/bounds.h"
+
+namespace saddle {
+
+/// Half the memory of a box, and wider than it: what it is apart from, the box is apart from.
+class WideBox {
+ public:
+  /// Numbers beyond the largest float become that or infinity, whichever is outside.
+  explicit WideBox(const Bounds& box) {
+    using Float = std::numeric_limits<float>;
+    // Twice what rounding may take away; and more than it may where floats lose digits, near 0.
+    const dvec3 margin =
+        double{Float::epsilon()} * glm::max(glm::abs(box.low), glm::abs(box.high)) +
+        double{Float::min()};
+    low_ = glm::min(box.low - margin, dvec3(Float::max()));
+    high_ = glm::max(box.high + margin, dvec3(Float::lowest()));
+  }
+  Bounds bounds() const { return {low_, high_}; }
+
+ private:
+  glm::vec3 low_;
+  glm::vec3 high_;
+};
+
+}  // namespace saddle
