@@ -56,20 +56,6 @@ const TriangleTree& WholeMeshError::tree() const {
   return *tree_;
 }
 
-const TriangleTree& WholeMeshError::vertices() const {
-  std::call_once(has_vertices_, [this] {
-    std::vector<bool> is_used(grid_.mesh.position.size());
-    for (const Triangle& t : all_) {
-      for (const std::uint32_t corner : t) is_used[corner] = true;
-    }
-    for (std::uint32_t k = 0; k < is_used.size(); ++k) {
-      if (is_used[k]) at_vertices_.push_back({k, k, k});
-    }
-    vertices_.emplace(grid_.mesh.position, at_vertices_, surface_.tangents.count);
-  });
-  return *vertices_;
-}
-
 double WholeMeshError::distance(const Place& place, const dvec3& position) const {
   const double from_own = place.triangles.empty()
                               ? kInfinity
@@ -183,8 +169,8 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expe
 void WholeMeshError::begin_at_vertices(std::span<Nearest> nearest) const {
   if (all_.empty()) return;
   for (Nearest& n : nearest) {
-    const auto [distance, which] = vertices().nearest(position_of(n.place), n.error.distance);
-    if (which) n.error = {distance, grid_.mesh.uv[at_vertices_[*which][0]]};
+    const auto [distance, corner] = tree().nearest_corner(position_of(n.place), n.error.distance);
+    if (corner) n.error = {distance, grid_.mesh.uv[*corner]};
   }
 }
 

@@ -90,8 +90,6 @@ class WholeMeshError {
   std::vector<Expected> expect_farthest(std::span<const Triangle* const> triangles,
                                         double known) const;
   const TriangleTree& tree() const;
-  /// The vertices of all_, which are places of the surface.
-  const TriangleTree& vertices() const;
   dvec2 within_domain(const dvec2& uv) const;
   dvec2 uv_of(const MeshPlace& place) const;
   dvec3 position_of(const MeshPlace& place) const;
@@ -126,10 +124,7 @@ class WholeMeshError {
   unsigned threads_;
   bool has_cliffs_;
   mutable std::once_flag has_tree_;
-  mutable std::optional<TriangleTree> tree_;  // made for the first point that its leaf misses
-  mutable std::once_flag has_vertices_;
-  mutable std::vector<Triangle> at_vertices_;     // whose corners are one vertex
-  mutable std::optional<TriangleTree> vertices_;  // made for the first place that is far by lines
+  mutable std::optional<TriangleTree> tree_;  // made for the first point it is asked for
 };
 
 }  // namespace saddle

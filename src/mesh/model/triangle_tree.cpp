@@ -202,10 +202,12 @@ PairCount TriangleTree::count_pairs(const PairTest& test, std::size_t most_tests
   return total;
 }
 
-TriangleTree::Nearest TriangleTree::nearest(const dvec3& p, double known, double enough) const {
+template <class SquareOf>
+TriangleTree::Found TriangleTree::find_nearest(const dvec3& p, double known, double enough,
+                                               SquareOf square_of) const {
+  if (nodes_.empty()) return {known, nullptr};
   double best = known * known;
-  if (nodes_.empty()) return {known, std::nullopt};
-  std::optional<std::uint32_t> which;
+  const Entry* nearest = nullptr;
   struct Visit {
     std::size_t node;
     double from;  // square of the distance of its box
@@ -222,11 +224,10 @@ TriangleTree::Nearest TriangleTree::nearest(const dvec3& p, double known, double
     if (node.count > 0) {
       for (const Entry& entry : std::span(entries_).subspan(node.first, node.count)) {
         if (square_distance(p, entry.box.bounds()) >= best) continue;  // of six, five
-        const Triangle& t = entry.corners;
-        const double square = square_distance(p, position_[t[0]], position_[t[1]], position_[t[2]]);
+        const double square = square_of(entry.corners);
         if (!(square < best)) continue;
         best = square;
-        which = entry.number;
+        nearest = &entry;
       }
       continue;
     }
@@ -237,7 +238,24 @@ TriangleTree::Nearest TriangleTree::nearest(const dvec3& p, double known, double
     stack[depth++] = near;
   }
   if (count_) count_->add_work(visited / kVisitsPerPoint);
-  return {std::min(std::sqrt(best), known), which};
+  return {std::min(std::sqrt(best), known), nearest};
+}
+
+TriangleTree::Nearest TriangleTree::nearest(const dvec3& p, double known, double enough) const {
+  const auto [distance, entry] = find_nearest(p, known, enough, [&](const Triangle& t) {
+    return square_distance(p, position_[t[0]], position_[t[1]], position_[t[2]]);
+  });
+  if (entry == nullptr) return {distance, std::nullopt};
+  return {distance, entry->number};
+}
+
+TriangleTree::NearestCorner TriangleTree::nearest_corner(const dvec3& p, double known) const {
+  const auto square_of = [&](std::uint32_t corner) { return square(p - position_[corner]); };
+  const auto [distance, entry] = find_nearest(p, known, 0, [&](const Triangle& t) {
+    return std::min({square_of(t[0]), square_of(t[1]), square_of(t[2])});
+  });
+  if (entry == nullptr) return {distance, std::nullopt};
+  return {distance, *std::ranges::min_element(entry->corners, {}, square_of)};
 }
 
 }  // namespace saddle

@@ -52,6 +52,12 @@ class TriangleTree {
                   double enough = 0) const {
     return nearest(p, known, enough).distance;
   }
+  /// The nearest corner of a triangle, by its number in the positions, and its distance.
+  struct NearestCorner {
+    double distance;
+    std::optional<std::uint32_t> corner;  ///< none is nearer than what was known
+  };
+  NearestCorner nearest_corner(const dvec3& p, double known) const;
 
   /// A test of two triangles, by their numbers.
   using PairTest = std::function<bool(std::uint32_t, std::uint32_t)>;
@@ -80,6 +86,13 @@ class TriangleTree {
   };
   Node leaf_of(std::span<const Item> items, std::span<const Triangle> triangles);
   void build(std::span<Item> items, std::span<const Triangle> triangles);
+  struct Found {
+    double distance;
+    const Entry* entry;  ///< null: none is nearer than what was known
+  };
+  /// The nearest by the square of a distance, which is computed from the corners of a triangle.
+  template <class SquareOf>
+  Found find_nearest(const dvec3& p, double known, double enough, SquareOf square_of) const;
   /// Two nodes, or one with itself, whose boxes overlap.
   using NodePair = std::pair<std::uint32_t, std::uint32_t>;
   bool overlap(const NodePair& pair) const;
