@@ -164,20 +164,32 @@ void Enclosure::operator()(const Interval& u, const Interval& v, std::span<Inter
   for (std::size_t k = 0; k < outputs_.size(); ++k) outputs[k] = slots_[outputs_[k]];
 }
 
-std::size_t Enclosure::count_breaks(const Interval& u, const Interval& v) {
+std::size_t Enclosure::run_counting_breaks(std::span<const Step> steps) {
   std::size_t count = 0;
-  slots_[of_u_.first] = of_u_.now = u;
-  slots_[of_v_.first] = of_v_.now = v;
-  for (const auto* const steps : {&of_u_.steps, &of_v_.steps, &of_both_}) {
-    for (const Step& step : *steps) {
-      const auto arguments = std::span(step.in).first(static_cast<std::size_t>(arity(step.op)));
-      const bool are_continuous = std::ranges::all_of(
-          arguments, [&](std::uint32_t slot) { return is_continuous(slots_[slot]); });
-      slots_[step.out] = apply(step);
-      if (are_continuous && !is_continuous(slots_[step.out])) ++count;
-    }
+  for (const Step& step : steps) {
+    const auto arguments = std::span(step.in).first(static_cast<std::size_t>(arity(step.op)));
+    const bool are_continuous = std::ranges::all_of(
+        arguments, [&](std::uint32_t slot) { return is_continuous(slots_[slot]); });
+    slots_[step.out] = apply(step);
+    if (are_continuous && !is_continuous(slots_[step.out])) ++count;
   }
   return count;
+}
+
+std::size_t Enclosure::count_breaks(const Interval& u, const Interval& v) {
+  return count_breaks_of_one(0, u) + count_breaks_of_one(1, v) + count_breaks_of_both(u, v);
+}
+
+std::size_t Enclosure::count_breaks_of_both(const Interval& u, const Interval& v) {
+  load(u, of_u_);
+  load(v, of_v_);
+  return run_counting_breaks(of_both_);
+}
+
+std::size_t Enclosure::count_breaks_of_one(int axis, const Interval& range) {
+  Bank& bank = axis == 0 ? of_u_ : of_v_;
+  slots_[bank.first] = bank.now = range;
+  return run_counting_breaks(bank.steps);
 }
 
 void enclose(const Tape& tape, const Interval& u, const Interval& v, std::span<Interval> outputs) {

@@ -39,6 +39,11 @@ class Enclosure {
   /// The number of operations that break u x v: they are not proved to be continuous and defined
   /// there, but their arguments are. Where two features cross there are more than along either.
   std::size_t count_breaks(const Interval& u, const Interval& v);
+  /// The same, of the operations that depend on u and on v. The others break along lines of
+  /// constant u or v.
+  std::size_t count_breaks_of_both(const Interval& u, const Interval& v);
+  /// The same, of the operations on u alone (axis 0), or on v alone (axis 1).
+  std::size_t count_breaks_of_one(int axis, const Interval& range);
 
   /// The cost of a box in additions.
   std::size_t steps() const;
@@ -63,6 +68,7 @@ class Enclosure {
   void append(std::span<const Instruction> instructions, std::vector<Step>& steps) const;
   Interval apply(const Step& step) const;
   void run(std::span<const Step> steps);
+  std::size_t run_counting_breaks(std::span<const Step> steps);
   void load(const Interval& range, Bank& bank);
   void keep_needed_steps();
   std::uint32_t place(Slot slot) const;

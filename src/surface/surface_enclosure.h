@@ -43,6 +43,15 @@ class SurfaceEnclosure {
     return enclosure_.count_breaks(range_between(box.low.x, box.high.x),
                                    range_between(box.low.y, box.high.y));
   }
+  /// Enclosure::count_breaks_of_both()
+  std::size_t count_breaks_of_both(const ParameterBox& box) {
+    return enclosure_.count_breaks_of_both(range_between(box.low.x, box.high.x),
+                                           range_between(box.low.y, box.high.y));
+  }
+  /// Enclosure::count_breaks_of_one()
+  std::size_t count_breaks_of_one(int axis, double from, double to) {
+    return enclosure_.count_breaks_of_one(axis, range_between(from, to));
+  }
   /// The cost of a box, in additions.
   std::size_t steps() const { return enclosure_.steps(); }
   /// The bounds of the last box.

@@ -1,9 +1,11 @@
 #include "mesh/features/nonsmooth_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -79,10 +81,59 @@ void keep_crossings(SurfaceEnclosure& enclosure, std::vector<ParameterBox>& boxe
   keep([&](std::size_t k) { return breaks.has_most(k); }, boxes);
 }
 
-/// The smallest boxes in which tangents are not proved to be continuous, but for those on curves:
-/// none if they are not as small as points.
-std::vector<ParameterBox> nonsmooth_boxes(const Surface& surface) {
-  SurfaceEnclosure enclosure(surface, Bounded::Tangents);
+/// A range of one parameter.
+using Range = std::array<double, 2>;
+
+/// The ranges of u (axis 0) or v (axis 1), as short as doubles go, in which operations on it alone
+/// break: along lines of constant u or v. None if there are too many.
+std::vector<Range> broken_ranges(SurfaceEnclosure& enclosure, const ParameterBox& domain,
+                                 int axis) {
+  BoxSubdivision<Range> search({{domain.low[axis], domain.high[axis]}});
+  while (!search.open().empty() && search.depth() < kAllHalvings) {
+    search.test([&](const Range& range) {
+      const bool is_broken = enclosure.count_breaks_of_one(axis, range[0], range[1]) > 0;
+      return is_broken ? ProofOutcome::Open : ProofOutcome::Proved;
+    });
+    if (search.open().size() > kMostOpen) return {};
+    search.halve_each([](const Range& range, std::vector<Range>& next) {
+      const double middle = std::midpoint(range[0], range[1]);
+      if (middle == range[0] || middle == range[1]) {
+        next.push_back(range);
+      } else {
+        next.insert(next.end(), {{range[0], middle}, {middle, range[1]}});
+      }
+    });
+  }
+  return search.open();
+}
+
+/// The number of lines that ranges are of: those that touch are of one.
+std::size_t count_lines(std::span<const Range> ranges) {
+  std::size_t lines = 0;
+  for (std::size_t k = 0; k < ranges.size(); ++k) {
+    if (k == 0 || ranges[k - 1][1] != ranges[k][0]) ++lines;
+  }
+  return lines;
+}
+
+/// The boxes around the points where lines of constant u and of constant v cross along which
+/// operations break. None if there are too many.
+std::vector<ParameterBox> crossings_of_lines(SurfaceEnclosure& enclosure,
+                                             const ParameterBox& domain) {
+  std::vector<ParameterBox> boxes;
+  const std::vector<Range> of_u = broken_ranges(enclosure, domain, 0);
+  if (of_u.empty()) return boxes;
+  const std::vector<Range> of_v = broken_ranges(enclosure, domain, 1);
+  if (count_lines(of_u) * count_lines(of_v) > kMostFollowed) return boxes;
+  for (const Range& u : of_u) {
+    for (const Range& v : of_v) boxes.push_back({{u[0], v[0]}, {u[1], v[1]}});
+  }
+  return boxes;
+}
+
+/// The smallest boxes in which tangents are not proved to be continuous, but for those on curves,
+/// and on lines of constant u or v alone: none if they are not as small as points.
+std::vector<ParameterBox> nonsmooth_boxes(SurfaceEnclosure& enclosure, const Surface& surface) {
   std::size_t budget = kSearchesForPoints * ProofBudget(surface.bounds).boxes_of_search();
   BoxSubdivision<ParameterBox> search(std::vector{box_of(surface.domain)});
   const auto take = [&budget](std::size_t boxes) { budget = std::max(budget, boxes) - boxes; };
@@ -101,7 +152,8 @@ std::vector<ParameterBox> nonsmooth_boxes(const Surface& surface) {
       const std::span<const Interval> bounds = enclosure.enclose(box);
       if (are_continuous(bounds)) return ProofOutcome::Proved;
       const bool is_hole = least_defined(bounds.first(3)) == Defined::No;
-      return is_hole ? ProofOutcome::Refuted : ProofOutcome::Open;
+      const bool is_closed = is_hole || enclosure.count_breaks_of_both(box) == 0;
+      return is_closed ? ProofOutcome::Refuted : ProofOutcome::Open;
     });
     if (search.open().size() > (are_points ? kMostOpen : kMostFollowed)) {
       take(search.open().size());
@@ -164,8 +216,11 @@ std::vector<Candidate> candidates_in(const Surface& surface, std::span<const Par
 }  // namespace
 
 NonsmoothPoints find_nonsmooth_points(const Surface& surface, double diagonal, unsigned threads) {
-  const std::vector<Candidate> candidates =
-      candidates_in(surface, nonsmooth_boxes(surface), threads);
+  SurfaceEnclosure enclosure(surface, Bounded::Tangents);
+  std::vector<ParameterBox> boxes = nonsmooth_boxes(enclosure, surface);
+  const auto crossings = crossings_of_lines(enclosure, box_of(surface.domain));
+  boxes.insert(boxes.end(), crossings.begin(), crossings.end());
+  const std::vector<Candidate> candidates = candidates_in(surface, boxes, threads);
   std::vector<dvec2> places(candidates.size());
   std::ranges::transform(candidates, places.begin(), &Candidate::uv);
   const std::vector<PointSingularity> singularities =

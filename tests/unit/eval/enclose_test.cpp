@@ -43,6 +43,22 @@ TEST(Enclosure, CountsTheOperationsThatBreakABox) {
   EXPECT_EQ(breaks(two, {-3.75, -3.25}, {0.25, 0.5}), 1U);  // a logarithm of less than 0
 }
 
+TEST(Enclosure, TellsBreaksAlongLinesFromThoseOfBothParameters) {
+  Graph graph;
+  const Tape tape = compile(graph, std::vector{parse(graph, "floor(u)*ceil(v)+sqrt(u-v)")});
+  Enclosure enclosure(tape);
+  const Interval around_1(0.75, 1.25);
+  const Interval below(0.25, 0.5);
+  EXPECT_EQ(enclosure.count_breaks_of_both(around_1, below), 0U);
+  EXPECT_EQ(enclosure.count_breaks_of_both(around_1, around_1), 1U);  // the root
+  EXPECT_EQ(enclosure.count_breaks(around_1, around_1), 3U);
+  EXPECT_EQ(enclosure.count_breaks_of_one(0, around_1), 1U);
+  EXPECT_EQ(enclosure.count_breaks_of_one(0, below), 0U);
+  EXPECT_EQ(enclosure.count_breaks_of_one(1, around_1), 1U);
+  // What was computed of u alone is not taken for another range.
+  EXPECT_EQ(enclosure.count_breaks_of_both({1.5, 1.75}, below), 0U);
+}
+
 TEST(Enclosure, BoundsASineAndACosineThatATapeComputesTogether) {
   expect_proved(enclosure("sin(u*v)+2*cos(u*v)", {0, 1}, {1, 1}));
   const Interval sum = enclosure("sin(u*v)+2*cos(u*v)", {0, 0.25}, {1, 1});
