@@ -12,6 +12,7 @@
 
 #include "base/numbers.h"
 #include "mesh/features/jumps_and_poles.h"
+#include "mesh/features/narrow_parts.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/proof/continuity.h"
 #include "surface/surface_enclosure.h"
@@ -22,36 +23,6 @@ namespace {
 
 /// Jumps of lines, in their order: they have no place in common.
 using JumpsOfLines = std::vector<std::vector<Line>>;
-
-/// Halves parts that are as short as kSame on until there are no doubles, unless there is a step
-/// between their ends and they are bounded: poles show only at the last doubles.
-std::vector<LinePart> narrowed(const Surface& surface, std::span<const Line> lines,
-                               const std::vector<LinePart>& parts, double delta, unsigned threads,
-                               std::size_t& work) {
-  std::vector<dvec2> uv;
-  for (const LinePart& part : parts) uv.insert(uv.end(), part.part.begin(), part.part.end());
-  const std::vector<dvec3> positions = evaluate_positions(surface, uv, threads);
-  work += uv.size();
-  SurfaceEnclosure enclosure(surface, Bounded::Position);
-  const auto is_bounded = [&](const Line& part) {
-    return std::ranges::all_of(enclosure.enclose({part[0], part[1]}),
-                               [](const Interval& a) { return std::isfinite(a.high - a.low); });
-  };
-  std::vector<LinePart> done;
-  std::vector<LinePart> open;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const LinePart& part = parts[k];
-    const bool is_step = glm::distance(positions[2 * k], positions[2 * k + 1]) > delta;
-    const bool is_short = length_of(part.part) <= kSame * length_of(lines[part.line]);
-    const bool is_open = is_short && !(is_step && is_bounded(part.part));
-    (is_open ? open : done).push_back(part);
-  }
-  work += parts.size();
-  open = unproved(surface, std::move(open), delta, work);
-  done.insert(done.end(), open.begin(), open.end());
-  std::ranges::stable_sort(done, {}, &LinePart::line);
-  return done;
-}
 
 /// Appends the part of a line between two known discontinuities, or ends of the line: as two parts
 /// if it is between discontinuities.
