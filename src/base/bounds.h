@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 
 #include "base/vec.h"
 
@@ -46,6 +47,13 @@ struct Bounds {
     return std::hypot(s.x, s.y, s.z);  // squares of lengths overflow and vanish
   }
 };
+
+/// The box around some points.
+inline Bounds bounds_of(std::span<const dvec3> points) {
+  Bounds bounds;
+  for (const dvec3& p : points) bounds.add(p);
+  return bounds;
+}
 
 /// Factors that give each coordinate an extent of 1, or leave it alone where it has none.
 inline dvec3 axis_scale(const Bounds& bounds) {

@@ -41,12 +41,6 @@ int longest_axis(const dvec3& size) {
   return size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
 }
 
-Bounds bounds_of(std::span<const dvec3> points) {
-  Bounds bounds;
-  for (const dvec3& p : points) bounds.add(p);
-  return bounds;
-}
-
 /// The points of the window of this length along an axis that holds most of them. `sorted` along
 /// that axis.
 std::span<const dvec3> fullest_window(std::span<const dvec3> sorted, int axis, double length) {
@@ -74,21 +68,22 @@ std::span<const dvec3> densest_window(std::span<const dvec3> sorted, int axis, d
 }
 
 /// clip_box(). A side that goes to infinity is at least `low` times as long as the longest other.
-Bounds proportionate_box(const Bounds& all, std::span<const dvec3> points, double low) {
+Bounds proportionate_box(const Bounds& all, const Bounds& usual, std::span<const dvec3> points,
+                         double low) {
   const Bounds most = robust_box(points);
   const auto is_far_out = [&](int k) {
     const double size = all.size()[k];
     return size > kTall * most.size()[k] || size > kTall * next_longest(all.size(), k);
   };
-  double usual = 0;  // the largest side that needs no clipping
+  double longest = 0;  // the largest side that needs no clipping
   for (int k = 0; k < 3; ++k) {
-    if (!is_far_out(k)) usual = std::max(usual, all.size()[k]);
+    if (!is_far_out(k)) longest = std::max(longest, all.size()[k]);
   }
-  const Bounds shapely = usual > 0 ? robust_box(points, dvec3(kTall * usual)) : most;
+  const Bounds shapely = longest > 0 ? robust_box(points, dvec3(kTall * longest)) : most;
   Bounds box;
   for (int k = 0; k < 3; ++k) {
-    const Bounds kept = is_far_out(k) ? lengthened(shapely, k, low * usual) : all;
-    const double margin = is_far_out(k) ? 0 : kBeyondProbe * all.size()[k];
+    const Bounds kept = is_far_out(k) ? lengthened(shapely, k, low * longest) : usual;
+    const double margin = is_far_out(k) ? 0 : kBeyondProbe * usual.size()[k];
     box.low[k] = kept.low[k] - margin;
     box.high[k] = kept.high[k] + margin;
   }
@@ -97,7 +92,7 @@ Bounds proportionate_box(const Bounds& all, std::span<const dvec3> points, doubl
 
 /// clip_box(), open at the faces that the surface goes beyond by no more than the box is long.
 Bounds box_without_far_edges(const Bounds& all, std::span<const dvec3> points) {
-  Bounds box = proportionate_box(all, points, 0);
+  Bounds box = proportionate_box(all, all, points, 0);
   const dvec3 near = box.size();
   for (int k = 0; k < 3; ++k) {
     if (box.low[k] - all.low[k] <= near[k]) box.low[k] = -kInfinity;
@@ -117,8 +112,8 @@ bool shows_some(const Bounds& box, const Bounds& whole) {
 
 }  // namespace
 
-Bounds clip_box(const Bounds& all, std::span<const dvec3> points) {
-  return proportionate_box(all, points, 1 / kTall);
+Bounds clip_box(const Bounds& all, const Bounds& usual, std::span<const dvec3> points) {
+  return proportionate_box(all, usual, points, 1 / kTall);
 }
 
 std::optional<Bounds> readable_box(const Bounds& whole, std::span<const dvec3> points) {

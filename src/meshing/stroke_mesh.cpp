@@ -145,7 +145,7 @@ class StrokeMesher {
     all.add(mesh.bounds);
     if (extent.positions.empty()) return std::nullopt;
     if (mesh.poles.empty()) return readable_box(all, extent.positions);
-    return clip_box(all, extent.positions);
+    return clip_box(all, all, extent.positions);
   }
 
   const Scene& scene_;

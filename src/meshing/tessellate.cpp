@@ -180,7 +180,8 @@ class ProportionateMesher {
     const std::vector<dvec3> balanced = balanced_positions(surface_, request_.threads);
     // The probe knows more about a small part of a surface.
     const auto& more = balanced.size() > positions_.size() ? balanced : positions_;
-    const Bounds box = clip_box(around_, more);
+    // On an edge of the domain rounding may leave a place anywhere beside a pole.
+    const Bounds box = clip_box(around_, bounds_of(positions_), more);
     known.beside_poles.add(far_from(box, whole));
     clip_to(box);
     std::optional<MeshResult> mesh = mesh_clipped(known, box);

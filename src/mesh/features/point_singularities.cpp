@@ -9,6 +9,7 @@
 
 #include <glm/common.hpp>
 
+#include "base/bounds.h"
 #include "mesh/features/approach.h"
 #include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
@@ -147,12 +148,6 @@ std::vector<dvec3> look_around(const Surface& surface, const dvec2& place,
     around.push_back(point.position);
   }
   return around;
-}
-
-Bounds bounds_of(std::span<const dvec3> positions) {
-  Bounds bounds;
-  for (const dvec3& p : positions) bounds.add(p);
-  return bounds;
 }
 
 /// Positions around a point to which all straight ways have one limit, if curves to it have others:

@@ -26,7 +26,8 @@ constexpr double kGrowth = 1.3;
 void clip_poles(const Bounds& coarse, Sampled& surface) {
   const dvec3 growth = surface.bounds.size() - kGrowth * coarse.size();
   surface.has_poles = !surface.positions.empty() && std::max({growth.x, growth.y, growth.z}) > 0;
-  if (surface.has_poles) surface.keep_to(clip_box(surface.bounds, surface.positions));
+  if (surface.has_poles)
+    surface.keep_to(clip_box(surface.bounds, surface.bounds, surface.positions));
 }
 
 /// The corners of polyhedra round points in place of the balls that make a curve's tube, or hold a

@@ -40,5 +40,19 @@ TEST(ClipBox, HoldsLogarithmsBesideZero) {
   EXPECT_GT(result.mesh.bounds.low.z, -0.5) << "a quarter of the sides of its square";
 }
 
+TEST(ClipBox, IsNotAsFarAsRoundingGoesOnAnEdgeOfTheDomain) {
+  // The sine of 2 pi is 2e-16: there the radius is -7.
+  Scene scene;
+  for (const char* const text : {"r=2+ln(abs(sin(3*u)*cos(4*v)))/4", "x=r*cos(v)*cos(u)",
+                                 "y=r*cos(v)*sin(u)", "z=r*sin(v)", "u=0:2*pi", "v=-pi/2:pi/2"})
+    assign(scene, text);
+  scene = resolve(scene);
+  const Tessellation result = tessellate(scene, scene.surfaces.at(0), {.mesh = true}, 1);
+  for (const int axis : {0, 1, 2}) {
+    EXPECT_GT(result.mesh.bounds.low[axis], -2.5);
+    EXPECT_LT(result.mesh.bounds.high[axis], 2.5);
+  }
+}
+
 }  // namespace
 }  // namespace saddle
