@@ -39,8 +39,14 @@ bool is_in_leaf(const dvec2& place) {
   return std::min(place.x, place.y) >= 0 && std::max(place.x, place.y) <= 1;
 }
 
-/// Whether an edge that turns by so many radians may have a corner.
+/// Whether an edge that turns by so many radians in one place has a corner: on a steep rim a small
+/// turn is a deep notch.
 bool is_corner(double turn) {
+  return turn > glm::radians(kCreaseDegrees);
+}
+
+/// Whether an edge that turns by so many radians in all may have a corner.
+bool may_have_corner(double turn) {
   return turn > glm::radians(kSharpDegrees);
 }
 
@@ -201,7 +207,7 @@ class Solver {
       const double sum = std::fabs(turns[0]) + std::fabs(turns[1]) + std::fabs(turns[2]);
       const double sharp = std::max(std::fabs(turns[0] + turns[1]), std::fabs(turns[1] + turns[2]));
       chord.is_open = sharp > kGlanceAtCorner * sum && is_corner(sharp);
-      chord.is_smooth = !is_corner(sum);
+      chord.is_smooth = !chord.is_open && !may_have_corner(sum);
     });
     for_leaves_of(chords_, [this](std::span<const SheetChord> chords) {
       if (std::ranges::all_of(chords, &SheetChord::is_smooth))
