@@ -59,7 +59,8 @@ class ErrorReporter {
       if (is_missing && !is_missing_part(k)) continue;
       const PlacedError error = error_of(k);
       const bool is_far = error.distance > tolerance_;
-      const bool is_suspect = is_far || may_reach_extremes(leaf);
+      // A leaf that is above what it aims at, but too small to halve, may hold more.
+      const bool is_suspect = is_far || !mesh_.is_near(k) || may_reach_extremes(leaf);
       if (is_suspect && (is_missing || may_be_near(k, request.clip.has_value()))) {
         suspects.push_back(k);
         is_off = is_off || (is_far && !is_clipped);
