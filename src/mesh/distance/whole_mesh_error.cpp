@@ -18,8 +18,6 @@ namespace saddle {
 
 namespace {
 
-/// The first step of a compass search, in sizes of the box; a round without success halves it.
-constexpr double kFirstStep = 0.25;
 /// Places of the mesh that are searched at most: 250 evaluations each.
 constexpr std::size_t kMostSearched = 192;
 /// The search climbs from the farthest kFirstSearched places of the mesh, in 4 rounds, if they are
@@ -78,7 +76,7 @@ std::vector<double> WholeMeshError::distances(std::span<const Place> places) con
 }
 
 void WholeMeshError::climb(std::span<Climb> climbs) const {
-  std::vector<double> steps(climbs.size(), kFirstStep);
+  std::vector<double> steps(climbs.size(), kCompassStep);
   for (int round = 0; round < kHalvingsToEdge; ++round) {
     std::vector<Place> places;
     for (std::size_t k = 0; k < climbs.size(); ++k) {
@@ -151,7 +149,7 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expe
     const std::array<dvec2, 3> corners = parameters_of(*expected.place.triangle, grid_.mesh);
     const dvec2 reach = reach_of(corners, range);
     lines.add_place(position_of(expected.place), uv, corners, reach);
-    result.push_back({expected.place, {expected.near, uv}, kFirstStep * reach});
+    result.push_back({expected.place, {expected.near, uv}, kCompassStep * reach});
   }
   lines.begin();
   for (std::size_t round = 0; round < LinesThroughPlaces::kRounds && !lines.is_done(); ++round) {
@@ -277,7 +275,7 @@ std::vector<WholeMeshError::FarTriangle> WholeMeshError::farther_than(
     farthest.erase(std::unique(farthest.begin(), farthest.end(), is_same), farthest.end());
   };
   keep_farthest(all_above(places, least, enough));
-  double step = kFirstStep;
+  double step = kCompassStep;
   for (int round = 0; round < kClimbsOfTriangles; ++round, step /= 2) {
     std::vector<MeshPlace> beside;
     for (const Nearest& n : farthest) {
@@ -298,7 +296,7 @@ std::vector<WholeMeshError::FarTriangle> WholeMeshError::farther_than(
 
 /// Moves places of the mesh towards the corners of their triangles where they are farther off.
 void WholeMeshError::climb_on_mesh(std::span<Nearest> places, double tolerance) const {
-  double step = kFirstStep;
+  double step = kCompassStep;
   for (int round = 0; round < kClimbsOnMesh; ++round, step /= 2) {
     for (Nearest& n : places) {
       std::vector<MeshPlace> beside;

@@ -1,10 +1,16 @@
 #include "mesh/error/left_out_leaves.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
+#include "base/random.h"
 #include "mesh/model/clip.h"
+#include "mesh/model/sample_places.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/model/triangle_tree.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
@@ -14,9 +20,16 @@ namespace saddle {
 
 namespace {
 
-/// Places of the sheets around a leaf. A vertex with a value of its own is on none: a feature cuts
-/// a side of the leaf at its place, or may do so where the side has several.
-std::vector<dvec2> places_around(const Leaf& leaf, const CellTree& tree) {
+/// A place of the surface. Beside a feature its position is that of a vertex: rounding may give the
+/// parameters another one.
+struct Place {
+  dvec2 uv;
+  std::optional<dvec3> position = {};
+};
+
+/// Vertices that may have values of their own, on no sheet: a feature cuts a side of the leaf at
+/// their place, or may do so where the side has several.
+std::vector<std::uint32_t> cut_corners(const Leaf& leaf, const CellTree& tree) {
   std::vector<std::uint32_t> cut;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     const auto feature = tree.edges().feature(a, b);
@@ -26,18 +39,34 @@ std::vector<dvec2> places_around(const Leaf& leaf, const CellTree& tree) {
       if (is_cut || tree.edges().has_more(a, b)) cut.push_back(end);
     }
   });
-  std::vector<dvec2> places;  // in their order around the leaf
+  return cut;
+}
+
+/// The last place of a sheet on the way from a neighbour to the feature of a side.
+Place last_place(std::uint32_t neighbour, const EdgeFeature& feature, const Mesh& mesh) {
+  const std::uint32_t vertex = feature.beside(neighbour);
+  // Where a surface ends, it may have a value of its own.
+  if (feature.is_boundary()) return {glm::mix(mesh.uv[vertex], mesh.uv[neighbour], kNearly)};
+  return {mesh.uv[vertex], mesh.position[vertex]};
+}
+
+/// Places of the sheets around a leaf, in their order.
+std::vector<Place> places_around(const Leaf& leaf, const CellTree& tree) {
+  const std::vector<std::uint32_t> cut = cut_corners(leaf, tree);
+  const Mesh& mesh = tree.mesh();
+  std::vector<Place> places;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    if (const auto between = tree.edges().between_features(a, b)) places.push_back(*between);
+    if (const auto between = tree.edges().between_features(a, b)) places.push_back({*between});
     const auto feature = tree.edges().feature(a, b);
     for (std::size_t k = 0; feature && k < feature->strips; ++k) {
       if (!is_wide_strip(*feature, k, {a, b}, tree)) continue;  // a line, if the leaf is too small
       const auto [first, second] = feature->on_strip(k, a);
-      places.push_back(0.5 * (tree.mesh().uv[first] + tree.mesh().uv[second]));
+      places.push_back({0.5 * (mesh.uv[first] + mesh.uv[second])});
     }
     for (const std::uint32_t end : {a, b}) {
-      const bool is_on_sheet = tree.geometry().is_defined(end) && std::ranges::count(cut, end) == 0;
-      if (is_on_sheet) places.push_back(tree.mesh().uv[feature ? feature->beside(end) : end]);
+      if (!tree.geometry().is_defined(end) || std::ranges::count(cut, end) > 0) continue;
+      places.push_back(feature ? last_place(end, *feature, mesh)
+                               : Place{mesh.uv[end], mesh.position[end]});
     }
   });
   return places;
@@ -46,9 +75,10 @@ std::vector<dvec2> places_around(const Leaf& leaf, const CellTree& tree) {
 /// Adds the middles between places across the leaf from each other: a strip that crosses a leaf may
 /// be on its sides where others have triangles, and be far from them inside. Between places along
 /// a jump, the surface may have a value of its own.
-void append_middles(std::vector<dvec2>& places) {
+void append_middles(std::vector<Place>& places) {
   const std::size_t across = places.size() / 2;
-  for (std::size_t k = 0; k < across; ++k) places.push_back(0.5 * (places[k] + places[k + across]));
+  for (std::size_t k = 0; k < across; ++k)
+    places.push_back({0.5 * (places[k].uv + places[k + across].uv)});
 }
 
 std::vector<Triangle> triangles_of_others(const ValidatedMesh& mesh) {
@@ -61,36 +91,138 @@ std::vector<Triangle> triangles_of_others(const ValidatedMesh& mesh) {
   return triangles;
 }
 
+/// Measures places of left-out leaves from the triangles of the others.
+class Measurer {
+ public:
+  Measurer(const std::optional<Bounds>& clip, unsigned threads, const CellTree& tree,
+           std::span<const Triangle> triangles)
+      : clip_(clip),
+        threads_(threads),
+        tree_(tree),
+        whole_(tree.mesh().position, triangles, tree.surface().tangents.count) {}
+
+  void add(std::size_t leaf, std::span<const Place> places) {
+    result_.push_back({leaf, {}});
+    for (const Place& place : places) take_later(result_.size() - 1, place);
+  }
+
+  /// Adds a jittered lattice of places in the leaf added last, and a compass search from the
+  /// farthest one. At even places and on diagonals formulas have values of their own.
+  void add_inside(const ParameterBox& box) {
+    const std::size_t leaf = result_.size() - 1;
+    searched_.push_back({leaf, box, kCompassStep});
+    std::uint64_t key = 0;
+    const auto jittered = [&key](double share) {
+      return (1 - kSampleJitter) * share + kSampleJitter * random_unit(key++);
+    };
+    for (const double u : kAllAlongLine) {
+      for (const double v : kAllAlongLine) {
+        const double share_u = jittered(u);
+        take_later(leaf, {glm::mix(box.low, box.high, dvec2(share_u, jittered(v)))});
+      }
+    }
+  }
+
+  std::vector<LeftOutLeaf> run() {
+    measure();
+    for (int round = 0; !searched_.empty() && round < kHalvingsToNearly; ++round) search();
+    return std::move(result_);
+  }
+
+ private:
+  struct Searched {
+    std::size_t leaf;  ///< its number in the result
+    ParameterBox box;
+    double step;  ///< in shares of its sides
+  };
+
+  /// A round of compass searches. On a line the surface may have a value of its own, as sign(u) at
+  /// 0: a place counts as far as that just before it.
+  void search() {
+    std::vector<dvec2> uv;
+    for (const auto& [leaf, box, step] : searched_) {
+      const dvec2& from = result_[leaf].farthest.uv;
+      for (const dvec2& way : kFourWays) {
+        const dvec2 there = nearest_in(box, from + step * way * (box.high - box.low));
+        uv.insert(uv.end(), {there, glm::mix(there, from, kNearly)});
+      }
+    }
+    const std::vector<double> distances = distances_at(uv);
+    std::size_t next = 0;
+    for (Searched& of : searched_) {
+      PlacedError& farthest = result_[of.leaf].farthest;
+      const double before = farthest.distance;
+      for (const std::size_t end = next + 2 * kFourWays.size(); next < end; next += 2) {
+        const double distance = std::min(distances[next], distances[next + 1]);
+        if (distance > farthest.distance) farthest = {distance, uv[next]};
+      }
+      if (!(farthest.distance > before)) of.step *= 0.5;
+    }
+  }
+
+  /// 0 where the surface is undefined or clipped.
+  double distance_of(const dvec3& position) const {
+    return is_seen(clip_, position) ? whole_.distance(position) : 0;
+  }
+  std::vector<double> distances_at(std::span<const dvec2> uv) const {
+    std::vector<double> distances;
+    for (const dvec3& position : evaluate_positions(tree_.surface(), uv, threads_))
+      distances.push_back(distance_of(position));
+    return distances;
+  }
+
+  void take_later(std::size_t leaf, const Place& place) {
+    leaves_.push_back(leaf);
+    places_.push_back(place);
+  }
+
+  void measure() {
+    std::vector<dvec2> uv(places_.size());
+    std::ranges::transform(places_, uv.begin(), &Place::uv);
+    const std::vector<double> distances = distances_at(uv);
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const auto& at_vertex = places_[k].position;
+      const double distance = at_vertex ? distance_of(*at_vertex) : distances[k];
+      PlacedError& farthest = result_[leaves_[k]].farthest;
+      if (distance > farthest.distance) farthest = {distance, uv[k]};
+    }
+  }
+
+  const std::optional<Bounds>& clip_;
+  unsigned threads_;
+  const CellTree& tree_;
+  TriangleTree whole_;
+  std::vector<LeftOutLeaf> result_;
+  std::vector<Searched> searched_;
+  std::vector<Place> places_;        // to be measured
+  std::vector<std::size_t> leaves_;  // of each, in the result
+};
+
 }  // namespace
 
 std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
                                           const std::optional<Bounds>& clip, unsigned threads,
                                           const CellTree& tree) {
-  std::vector<LeftOutLeaf> result;
-  std::vector<std::vector<dvec2>> places;
-  std::vector<dvec2> all_places;
+  std::vector<std::size_t> left_out;
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
-    if (!mesh.leaves[k].state.is_too_small()) continue;
-    result.push_back({k, {}});
-    places.push_back(places_around(mesh.leaves[k], tree));
-    if (!has_cut(FeatureKind::Jump, mesh.leaves[k], tree)) append_middles(places.back());
-    all_places.insert(all_places.end(), places.back().begin(), places.back().end());
+    if (mesh.leaves[k].state.is_too_small()) left_out.push_back(k);
   }
-  if (result.empty()) return result;
+  if (left_out.empty()) return {};
   const std::vector<Triangle> triangles = triangles_of_others(mesh);
   if (triangles.empty()) return {};
-  const TriangleTree whole(tree.mesh().position, triangles, tree.surface().tangents.count);
-  const std::vector<dvec3> points = evaluate_positions(tree.surface(), all_places, threads);
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    for (const dvec2& uv : places[i]) {
-      const dvec3& position = points[next++];
-      if (!is_seen(clip, position)) continue;
-      const double distance = whole.distance(position);
-      if (distance > result[i].farthest.distance) result[i].farthest = {distance, uv};
-    }
+  Measurer measurer(clip, threads, tree, triangles);
+  for (const std::size_t k : left_out) {
+    const Leaf& leaf = mesh.leaves[k];
+    std::vector<Place> places = places_around(leaf, tree);
+    if (!has_cut(FeatureKind::Jump, leaf, tree)) append_middles(places);
+    measurer.add(k, places);
+    // Where a jump meets the boundary, sheets may end far from the sides.
+    if (leaf.state.cut() != LeafCut::BoundaryAndFeature) continue;
+    const ParameterBox box = {tree.vertices().parameters(leaf.low),
+                              tree.vertices().parameters(leaf.high())};
+    measurer.add_inside(box);
   }
-  return result;
+  return measurer.run();
 }
 
 }  // namespace saddle

@@ -26,9 +26,9 @@ namespace saddle {
 
 namespace {
 
-/// Rounds of refinement after the first subdivision, at most: 16 halvings each way lead to a point
-/// where features meet, and others to what they leave.
-constexpr int kMostRounds = 64;
+/// Rounds of refinement after the first subdivision, at most. Few surfaces take more than 20: those
+/// with features that touch, whose wedges are halved from leaf to leaf.
+constexpr int kMostRounds = 512;
 /// Where validation keeps failing, leaves are searched for features after every 4 rounds: one round
 /// leads to a feature that is found, and halves a leaf once without it.
 constexpr int kFeaturePeriod = 4;
@@ -157,7 +157,10 @@ ActiveLeaves AdaptiveMesher::next_active() {
   ActiveLeaves active{halve_failed(), {}};
   if (active.leaves.empty() && validation_.revalidate()) active.leaves = halve_failed();
   if (active.leaves.empty() && validation_.validate_singular()) active.leaves = halve_failed();
-  if (active.leaves.empty()) active.leaves = halve_missed();
+  if (active.leaves.empty()) {
+    leave_out_unclear();
+    active.leaves = halve_missed();
+  }
   if (active.leaves.empty() && certifies()) active = activate_refuted();
   if (active.leaves.empty() && certifies()) active = activate_with_features();
   if (active.leaves.empty() && !may_grow()) active = activate_jumping();
@@ -423,10 +426,19 @@ bool AdaptiveMesher::leave_out(std::size_t number) {
   return true;
 }
 
+/// Whether leaves were left out, or what is known of their sides has changed, since the last call.
+bool AdaptiveMesher::has_new_left_out() {
+  const std::uint32_t since = std::exchange(seen_left_out_, tree_.revisions().next());
+  return std::exchange(has_new_left_out_, false) ||
+         std::ranges::any_of(mesh_.leaves, [&](const Leaf& leaf) {
+           return leaf.state.is_too_small() && tree_.revisions().has_changed(leaf, since);
+         });
+}
+
 /// Removes left-out leaves from the mesh that hold a part of a sheet too far from it, and returns
 /// their halves.
 std::vector<Leaf> AdaptiveMesher::halve_missed() {
-  if (!std::exchange(has_new_left_out_, false)) return {};
+  if (!has_new_left_out()) return {};
   ask_forgotten_samples();
   std::vector<std::size_t> missed;
   std::vector<Leaf> halves;

@@ -91,6 +91,7 @@ class AdaptiveMesher {
   bool is_small(const Leaf& leaf) const;
   bool leave_out(std::size_t number);
   void leave_out_unclear();
+  bool has_new_left_out();
   std::vector<Leaf> halve_missed();
   std::optional<std::array<Leaf, 2>> halve_cut(std::size_t number);
   bool stop_if_done(Leaf& leaf, const Oscillation& oscillation);
@@ -142,6 +143,7 @@ class AdaptiveMesher {
   std::vector<Leaf> empty_;   // not in the mesh: the surface is defined at none of their samples
   std::vector<PlacedSingularity> singularities_;
   bool has_new_left_out_ = false;  ///< leaves that are too small
+  std::uint32_t seen_left_out_ = RevisionClock::kNever;
   bool has_forgotten_ = false;     ///< leaves may lack samples
   bool has_halved_spent_ = false;  ///< leaves were halved when the work of proofs was done
   bool reached_limit_ = false;

@@ -110,9 +110,8 @@ class FeatureTracer {
       if (is_continuous || goes_far[k] || lines[k][0] == places[k].uv) continue;
       open.push_back(k);
       parts.push_back({lines[k][0], places[k].uv});
-      const bool is_first = tree_.geometry().is_defined(sides[k][0]);
-      delta =
-          std::min(delta, options_.tolerance(tree_.mesh().position[sides[k][is_first ? 0 : 1]]));
+      const std::uint32_t end = sides[k][tree_.geometry().is_defined(sides[k][0]) ? 0 : 1];
+      delta = std::min(delta, options_.tolerance(tree_.mesh().position[end]));
     }
     if (open.empty()) return;
     const auto found = find_discontinuities(tree_.surface(), parts, delta, options_.threads,
@@ -120,7 +119,10 @@ class FeatureTracer {
     for (std::size_t i = 0; i < open.size(); ++i) {
       if (found[i].kind != Discontinuity::Jump) continue;
       const std::size_t k = open[i];
-      tree_.edges().set_has_more(sides[k][0], sides[k][1], 0.5 * (found[i].ends[1] + places[k].uv));
+      const dvec2& beyond = found[i].ends[1];
+      // Where the surface ends, it may have a value of its own.
+      if (glm::distance(beyond, places[k].uv) > kSame * glm::distance(lines[k][0], lines[k][1]))
+        tree_.edges().set_has_more(sides[k][0], sides[k][1], 0.5 * (beyond + places[k].uv));
       places[k].uv = found[i].ends[0];
     }
   }

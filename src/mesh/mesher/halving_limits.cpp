@@ -11,7 +11,8 @@ namespace saddle {
 namespace {
 
 /// Halvings that follow a boundary, at most: 24 reach a corner of two boundaries with vertical
-/// tangents. Boundaries that meet at a pole or a clip face end at kMostCutHalvings.
+/// tangents; a point where a jump ends at such a boundary takes all there are. Boundaries that meet
+/// at a pole or a clip face end at kMostCutHalvings.
 constexpr int kMostBoundaryHalvings = 24;
 
 }  // namespace
@@ -19,7 +20,8 @@ constexpr int kMostBoundaryHalvings = 24;
 int most_boundary_halvings(const Leaf& leaf, const CellTree& tree) {
   const bool goes_far =
       has_cut(FeatureKind::Pole, leaf, tree) || has_cut(FeatureKind::Face, leaf, tree);
-  return goes_far ? kMostCutHalvings : kMostBoundaryHalvings;
+  if (goes_far) return kMostCutHalvings;
+  return leaf.state.is_cut_by_feature() ? kMostHalvings : kMostBoundaryHalvings;
 }
 
 int boundary_halvings(const Leaf& leaf, const CellTree& tree) {

@@ -20,7 +20,9 @@ inline constexpr std::array kAllAlongLine = {0.0, 0.25, 0.5, 0.75, 1.0};
 /// On the way away from a place, one after the other: what is near the place counts most.
 inline constexpr std::array kAwayFromPlace = {0.0625, 0.25, 0.5, 1.0};
 
-/// The steps of a compass search.
+/// The first step of a compass search, in sizes of the box; a round without success halves it.
+inline constexpr double kCompassStep = 0.25;
+/// The directions of its steps.
 inline constexpr std::array kFourWays = {dvec2(1, 0), dvec2(-1, 0), dvec2(0, 1), dvec2(0, -1)};
 /// Axes and diagonals in their order around a place: opposite ones are four apart.
 inline constexpr std::array kEightWays = {dvec2(1, 0),  dvec2(1, 1),   dvec2(0, 1),  dvec2(-1, 1),

@@ -271,6 +271,35 @@ TEST(Rims, KeepTheToleranceWhereAJumpMeetsThem) {
   EXPECT_LE(result.report.max_error, 1.4e-3);
 }
 
+/// The rim turns by 8 degrees where the two roots are 0, and the surface goes down to 0 there
+/// alone.
+TEST(Rims, GoDownToTheNotchWhereTwoMeet) {
+  const MeshResult result = mesh_of_rim("sqrt(u-1.303*v+0.006644)+sqrt(u-v)", 1e-3);
+  const double at = 0.006644 / 0.303;
+  EXPECT_LE(TriangleTree(result.mesh).distance({at, at, 0}), *result.report.tolerance);
+}
+
+/// Two jumps end on the rim in (0, 0), where the sheet between them goes down to 0. Other jumps
+/// touch the rim: the wedges beside them are halved from leaf to leaf.
+TEST(Rims, KeepTheToleranceInAPointBetweenAJumpAndARim) {
+  const Surface surface =
+      height_field("max(sqrt(tanh(u+v)),atan(mod(u*v,1)))", {-1.9, 1.9, -1.9, 1.9});
+  const MeshResult result = try_mesh(surface, within_share(1e-3)).value();
+  EXPECT_LE(result.report.max_error, *result.report.tolerance);
+  const TriangleTree tree(result.mesh);
+  for (double u = 1e-9; u < 0.1; u *= 3)
+    EXPECT_LE(tree.distance({u, u, std::sqrt(std::tanh(2 * u))}), *result.report.tolerance) << u;
+}
+
+/// On the rim sign() is 0: a value of its own there is no part of the surface.
+TEST(Rims, LeaveOutValuesOfTheirOwn) {
+  const Surface surface = height_field("sign(u*sqrt(u+v))", {-2, 2, -2, 2});
+  const MeshResult result = try_mesh(surface, within_share(1e-3)).value();
+  EXPECT_LE(result.report.max_error, *result.report.tolerance);
+  const TriangleTree tree(result.mesh);
+  EXPECT_LE(tree.distance({-1e-4, 1.1e-4, -1}), *result.report.tolerance);
+}
+
 /// On v = 0 the height is (1 - u^0.25)^0.25, up to u = 1. The surface is (1 - u^0.25)^4 wide there:
 /// 1e-7 at u = 0.93, far less than a cell.
 TEST(Rims, OfTipsThinnerThanACellAreToldAtTheirFullLength) {
