@@ -1,7 +1,6 @@
 #include "mesh/features/nonsmooth_points.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -81,52 +80,72 @@ void keep_crossings(SurfaceEnclosure& enclosure, std::vector<ParameterBox>& boxe
   keep([&](std::size_t k) { return breaks.has_most(k); }, boxes);
 }
 
-/// A range of one parameter.
-using Range = std::array<double, 2>;
+/// A range of one parameter in which an operation breaks, and whether one breaks beyond its ends,
+/// in a range that was left out.
+struct BrokenRange {
+  double first, last;
+  bool before_first = false, beyond_last = false;
+};
 
-/// The ranges of u (axis 0) or v (axis 1), as short as doubles go, in which operations on it alone
-/// break: along lines of constant u or v. None if there are too many.
-std::vector<Range> broken_ranges(SurfaceEnclosure& enclosure, const ParameterBox& domain,
-                                 int axis) {
-  BoxSubdivision<Range> search({{domain.low[axis], domain.high[axis]}});
+/// Leaves out the ranges between two others. Where there are many, an operation is undefined all
+/// over, and only the ends of them all are lines; at the last doubles the others add no ends.
+void keep_ends_of_runs(std::vector<BrokenRange>& ranges) {
+  for (std::size_t k = 0; k + 1 < ranges.size(); ++k) {
+    if (ranges[k].last != ranges[k + 1].first) continue;
+    ranges[k].beyond_last = true;
+    ranges[k + 1].before_first = true;
+  }
+  std::erase_if(ranges,
+                [](const BrokenRange& range) { return range.before_first && range.beyond_last; });
+}
+
+/// The ranges of u (axis 0) or v (axis 1), halved kAllHalvings times or down to neighbouring
+/// doubles, in which operations on it alone break: along lines of constant u or v. None if there
+/// are too many. A range takes the operations on one parameter, not the whole formula.
+std::vector<BrokenRange> broken_ranges(SurfaceEnclosure& enclosure, const ParameterBox& domain,
+                                       int axis) {
+  BoxSubdivision<BrokenRange> search(std::vector{BrokenRange{domain.low[axis], domain.high[axis]}});
   while (!search.open().empty() && search.depth() < kAllHalvings) {
-    search.test([&](const Range& range) {
-      const bool is_broken = enclosure.count_breaks_of_one(axis, range[0], range[1]) > 0;
+    search.test([&](const BrokenRange& range) {
+      const bool is_broken = enclosure.count_breaks_of_one(axis, range.first, range.last) > 0;
       return is_broken ? ProofOutcome::Open : ProofOutcome::Proved;
     });
+    if (search.open().size() > kMostOpen) keep_ends_of_runs(search.open());
     if (search.open().size() > kMostOpen) return {};
-    search.halve_each([](const Range& range, std::vector<Range>& next) {
-      const double middle = std::midpoint(range[0], range[1]);
-      if (middle == range[0] || middle == range[1]) {
+    search.halve_each([](const BrokenRange& range, std::vector<BrokenRange>& next) {
+      const double middle = std::midpoint(range.first, range.last);
+      if (middle == range.first || middle == range.last) {
         next.push_back(range);
       } else {
-        next.insert(next.end(), {{range[0], middle}, {middle, range[1]}});
+        next.push_back({range.first, middle, range.before_first, false});
+        next.push_back({middle, range.last, false, range.beyond_last});
       }
     });
   }
+  keep_ends_of_runs(search.open());
   return search.open();
 }
 
 /// The number of lines that ranges are of: those that touch are of one.
-std::size_t count_lines(std::span<const Range> ranges) {
+std::size_t count_lines(std::span<const BrokenRange> ranges) {
   std::size_t lines = 0;
   for (std::size_t k = 0; k < ranges.size(); ++k) {
-    if (k == 0 || ranges[k - 1][1] != ranges[k][0]) ++lines;
+    if (k == 0 || ranges[k - 1].last != ranges[k].first) ++lines;
   }
   return lines;
 }
 
 /// The boxes around the points where lines of constant u and of constant v cross along which
-/// operations break. None if there are too many.
+/// operations break: four at most for each. None if there are too many.
 std::vector<ParameterBox> crossings_of_lines(SurfaceEnclosure& enclosure,
                                              const ParameterBox& domain) {
   std::vector<ParameterBox> boxes;
-  const std::vector<Range> of_u = broken_ranges(enclosure, domain, 0);
+  const std::vector<BrokenRange> of_u = broken_ranges(enclosure, domain, 0);
   if (of_u.empty()) return boxes;
-  const std::vector<Range> of_v = broken_ranges(enclosure, domain, 1);
+  const std::vector<BrokenRange> of_v = broken_ranges(enclosure, domain, 1);
   if (count_lines(of_u) * count_lines(of_v) > kMostFollowed) return boxes;
-  for (const Range& u : of_u) {
-    for (const Range& v : of_v) boxes.push_back({{u[0], v[0]}, {u[1], v[1]}});
+  for (const BrokenRange& u : of_u) {
+    for (const BrokenRange& v : of_v) boxes.push_back({{u.first, v.first}, {u.last, v.last}});
   }
   return boxes;
 }
