@@ -1,8 +1,6 @@
 #include "mesh/features/discontinuities.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <optional>
@@ -10,12 +8,10 @@
 
 #include <glm/common.hpp>
 
-#include "base/numbers.h"
 #include "mesh/features/jumps_and_poles.h"
 #include "mesh/features/narrow_parts.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/proof/continuity.h"
-#include "surface/surface_enclosure.h"
 
 namespace saddle {
 

@@ -43,15 +43,20 @@ void find_steepest(const Surface& surface, std::vector<Steepest>& searches, unsi
 
 /// The rest of a part without the ways to its steepest place, if bounds prove these continuous. As
 /// bounds round, there is no proof right beside a pole.
-std::optional<Line> between_proofs(const Steepest& steepest, SurfaceEnclosure& enclosure) {
+std::optional<Line> between_proofs(const Steepest& steepest, SurfaceEnclosure& enclosure,
+                                   std::size_t& work) {
   const Line& whole = steepest.part.part;
   const dvec2 aside = kOfSecondOrder * (whole[1] - whole[0]);
   const Line rest = {steepest.left[0] - aside, steepest.left[1] + aside};
   const double length = length_of(whole);
   const bool is_inside =
       glm::distance(whole[0], rest[1]) < length && glm::distance(rest[0], whole[1]) < length;
-  const bool is_proved = is_inside && are_continuous(enclosure.enclose({whole[0], rest[0]})) &&
-                         are_continuous(enclosure.enclose({rest[1], whole[1]}));
+  const auto is_continuous = [&](const dvec2& from, const dvec2& to) {
+    ++work;
+    return are_continuous(enclosure.enclose({from, to}));
+  };
+  const bool is_proved =
+      is_inside && is_continuous(whole[0], rest[0]) && is_continuous(rest[1], whole[1]);
   return is_proved ? std::optional(rest) : std::nullopt;
 }
 
@@ -66,6 +71,7 @@ std::vector<LinePart> narrowed(const Surface& surface, std::span<const Line> lin
   work += uv.size();
   SurfaceEnclosure enclosure(surface, Bounded::Position);
   const auto is_bounded = [&](const Line& part) {
+    ++work;
     return std::ranges::all_of(enclosure.enclose({part[0], part[1]}),
                                [](const Interval& a) { return std::isfinite(a.high - a.low); });
   };
@@ -75,6 +81,7 @@ std::vector<LinePart> narrowed(const Surface& surface, std::span<const Line> lin
     const LinePart& part = parts[k];
     const bool is_step = glm::distance(positions[2 * k], positions[2 * k + 1]) > delta;
     const bool is_short = length_of(part.part) <= kSame * length_of(lines[part.line]);
+    // So few doubles are left that between_proofs() would go beyond the part.
     const bool is_narrow = least_share(part.part) >= kOfSecondOrder;
     if (is_short && !is_narrow && !(is_step && is_bounded(part.part))) {
       searches.push_back({part, part.part, {positions[2 * k], positions[2 * k + 1]}});
@@ -82,12 +89,11 @@ std::vector<LinePart> narrowed(const Surface& surface, std::span<const Line> lin
       done.push_back(part);
     }
   }
-  work += parts.size();
   find_steepest(surface, searches, threads, work);
   std::vector<LinePart> open;
   for (const Steepest& search : searches) {
-    const auto rest = search.part.broken_end ? std::nullopt : between_proofs(search, enclosure);
-    work += 2;
+    const auto rest =
+        search.part.broken_end ? std::nullopt : between_proofs(search, enclosure, work);
     if (rest) {
       done.push_back({search.part.line, *rest});
     } else {

@@ -10,9 +10,10 @@
 
 namespace saddle {
 
-/// Narrows parts of lines that are as short as kSame down to a few doubles, unless there is a step
-/// above `delta` between their ends and they are bounded: poles show only at the last doubles.
-/// Returns these and the other parts, in the order of lines. Adds to `work` the number of points
+/// Narrows parts that are as short as kSame of their line, as poles show only at the last doubles:
+/// to 1/2048 around their steepest place if bounds prove the rest continuous, else by unproved().
+/// Parts stay if they are bounded and have a step above `delta` between their ends; those that are
+/// proved are dropped. Returns all parts in the order of lines. Adds to `work` the number of points
 /// and boxes.
 std::vector<LinePart> narrowed(const Surface& surface, std::span<const Line> lines,
                                std::span<const LinePart> parts, double delta, unsigned threads,
