@@ -1,5 +1,5 @@
-// The vector types of the whole program: GLM's, in double; floats exist only on the way to the GPU,
-// and in many boxes, to save memory.
+// The vector types of the whole program: GLM's, in double. Floats exist on the way to the GPU and
+// in WideBox.
 #pragma once
 
 #include <cmath>

@@ -177,7 +177,9 @@ std::size_t Enclosure::run_counting_breaks(std::span<const Step> steps) {
 }
 
 std::size_t Enclosure::count_breaks(const Interval& u, const Interval& v) {
-  return count_breaks_of_one(0, u) + count_breaks_of_one(1, v) + count_breaks_of_both(u, v);
+  const std::size_t of_u = count_breaks_of_one(0, u);
+  const std::size_t of_v = count_breaks_of_one(1, v);
+  return of_u + of_v + count_breaks_of_both(u, v);
 }
 
 std::size_t Enclosure::count_breaks_of_both(const Interval& u, const Interval& v) {

@@ -39,10 +39,10 @@ class Enclosure {
   /// The number of operations that break u x v: they are not proved to be continuous and defined
   /// there, but their arguments are. Where two features cross there are more than along either.
   std::size_t count_breaks(const Interval& u, const Interval& v);
-  /// The same, of the operations that depend on u and on v. The others break along lines of
-  /// constant u or v.
+  /// The breaks among the operations that depend on both u and v. Others break along lines of
+  /// constant u or v. An operation with an argument that one of these breaks does not count.
   std::size_t count_breaks_of_both(const Interval& u, const Interval& v);
-  /// The same, of the operations on u alone (axis 0), or on v alone (axis 1).
+  /// The breaks among the operations on u alone (axis 0), or on v alone (axis 1).
   std::size_t count_breaks_of_one(int axis, const Interval& range);
 
   /// The cost of a box in additions.

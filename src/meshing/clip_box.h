@@ -11,9 +11,10 @@
 namespace saddle {
 
 /// The box that a surface which goes to infinity is clipped to, if `points` (finite) are spread
-/// over it and `all` is around them: in each coordinate `usual`, or what most of the points keep
-/// to, if some of `all` goes far beyond, and less of that if it is much longer than the box's other
-/// sides. `usual`: a box around what is to be seen if there is no pole.
+/// over it. `all` is around everything that was seen, and decides in which coordinates the surface
+/// goes far beyond most of the points. There the box has what most of them keep to, and less of
+/// that if it is much longer than the box's other sides; in the others it has `usual`, the box
+/// around samples that are not beside poles.
 Bounds clip_box(const Bounds& all, const Bounds& usual, std::span<const dvec3> points);
 
 /// Beside a side that is so many times as long, the others are narrower than a pixel.

@@ -180,7 +180,7 @@ class ProportionateMesher {
     const std::vector<dvec3> balanced = balanced_positions(surface_, request_.threads);
     // The probe knows more about a small part of a surface.
     const auto& more = balanced.size() > positions_.size() ? balanced : positions_;
-    // On an edge of the domain rounding may leave a place anywhere beside a pole.
+    // Rounding may leave places on an edge of the domain anywhere beside a pole.
     const Bounds box = clip_box(around_, bounds_of(positions_), more);
     known.beside_poles.add(far_from(box, whole));
     clip_to(box);

@@ -45,7 +45,7 @@ std::vector<std::uint32_t> cut_corners(const Leaf& leaf, const CellTree& tree) {
 /// The last place of a sheet on the way from a neighbour to the feature of a side.
 Place last_place(std::uint32_t neighbour, const EdgeFeature& feature, const Mesh& mesh) {
   const std::uint32_t vertex = feature.beside(neighbour);
-  // Where a surface ends, it may have a value of its own.
+  // The rim itself may have a value of its own, which is no part of a sheet.
   if (feature.is_boundary()) return {glm::mix(mesh.uv[vertex], mesh.uv[neighbour], kNearly)};
   return {mesh.uv[vertex], mesh.position[vertex]};
 }
@@ -106,10 +106,11 @@ class Measurer {
     for (const Place& place : places) take_later(result_.size() - 1, place);
   }
 
-  /// Adds a jittered lattice of places in the leaf added last, and a compass search from the
-  /// farthest one. At even places and on diagonals formulas have values of their own.
+  /// Adds a lattice of places in the leaf added last, and a compass search from the farthest one.
+  /// Places are jittered: at even shares and on diagonals formulas often have special values.
   void add_inside(const ParameterBox& box) {
     const std::size_t leaf = result_.size() - 1;
+    result_[leaf].farthest.uv = box.middle();
     searched_.push_back({leaf, box, kCompassStep});
     std::uint64_t key = 0;
     const auto jittered = [&key](double share) {
@@ -118,7 +119,8 @@ class Measurer {
     for (const double u : kAllAlongLine) {
       for (const double v : kAllAlongLine) {
         const double share_u = jittered(u);
-        take_later(leaf, {glm::mix(box.low, box.high, dvec2(share_u, jittered(v)))});
+        const double share_v = jittered(v);
+        take_later(leaf, {glm::mix(box.low, box.high, dvec2(share_u, share_v))});
       }
     }
   }
@@ -137,7 +139,7 @@ class Measurer {
   };
 
   /// A round of compass searches. On a line the surface may have a value of its own, as sign(u) at
-  /// 0: a place counts as far as that just before it.
+  /// 0: the smaller distance of a place and of one just before it counts.
   void search() {
     std::vector<dvec2> uv;
     for (const auto& [leaf, box, step] : searched_) {

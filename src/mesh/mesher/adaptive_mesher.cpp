@@ -26,8 +26,8 @@ namespace saddle {
 
 namespace {
 
-/// Rounds of refinement after the first subdivision, at most. Few surfaces take more than 20: those
-/// with features that touch, whose wedges are halved from leaf to leaf.
+/// Rounds of refinement after the first subdivision, at most. Most surfaces take less than 20.
+/// Features that touch take more: the wedge between them is halved leaf by leaf.
 constexpr int kMostRounds = 512;
 /// Where validation keeps failing, leaves are searched for features after every 4 rounds: one round
 /// leads to a feature that is found, and halves a leaf once without it.
@@ -426,8 +426,9 @@ bool AdaptiveMesher::leave_out(std::size_t number) {
   return true;
 }
 
-/// Whether leaves were left out, or what is known of their sides has changed, since the last call.
-bool AdaptiveMesher::has_new_left_out() {
+/// Whether leaves were left out, or something in root cells of such leaves has changed, since the
+/// last call. Begins a revision.
+bool AdaptiveMesher::take_news_of_left_out() {
   const std::uint32_t since = std::exchange(seen_left_out_, tree_.revisions().next());
   return std::exchange(has_new_left_out_, false) ||
          std::ranges::any_of(mesh_.leaves, [&](const Leaf& leaf) {
@@ -438,7 +439,7 @@ bool AdaptiveMesher::has_new_left_out() {
 /// Removes left-out leaves from the mesh that hold a part of a sheet too far from it, and returns
 /// their halves.
 std::vector<Leaf> AdaptiveMesher::halve_missed() {
-  if (!has_new_left_out()) return {};
+  if (!take_news_of_left_out()) return {};
   ask_forgotten_samples();
   std::vector<std::size_t> missed;
   std::vector<Leaf> halves;

@@ -91,7 +91,7 @@ class AdaptiveMesher {
   bool is_small(const Leaf& leaf) const;
   bool leave_out(std::size_t number);
   void leave_out_unclear();
-  bool has_new_left_out();
+  bool take_news_of_left_out();
   std::vector<Leaf> halve_missed();
   std::optional<std::array<Leaf, 2>> halve_cut(std::size_t number);
   bool stop_if_done(Leaf& leaf, const Oscillation& oscillation);

@@ -120,7 +120,7 @@ class FeatureTracer {
       if (found[i].kind != Discontinuity::Jump) continue;
       const std::size_t k = open[i];
       const dvec2& beyond = found[i].ends[1];
-      // Where the surface ends, it may have a value of its own.
+      // The rim itself may have a value of its own, which is no second feature.
       if (glm::distance(beyond, places[k].uv) > kSame * glm::distance(lines[k][0], lines[k][1]))
         tree_.edges().set_has_more(sides[k][0], sides[k][1], 0.5 * (beyond + places[k].uv));
       places[k].uv = found[i].ends[0];

@@ -39,15 +39,15 @@ bool is_in_leaf(const dvec2& place) {
   return std::min(place.x, place.y) >= 0 && std::max(place.x, place.y) <= 1;
 }
 
-/// Whether an edge that turns by so many radians in one place has a corner: on a steep rim a small
-/// turn is a deep notch.
-bool is_corner(double turn) {
-  return turn > glm::radians(kCreaseDegrees);
+/// Whether an edge has a corner that turns by so many radians between two neighbouring places: on a
+/// steep rim a small turn is a deep notch.
+bool is_corner(double sharpest_turn) {
+  return sharpest_turn > glm::radians(kCreaseDegrees);
 }
 
-/// Whether an edge that turns by so many radians in all may have a corner.
-bool may_have_corner(double turn) {
-  return turn > glm::radians(kSharpDegrees);
+/// Whether an edge that turns by so many radians in all is no straight line.
+bool is_bent(double total_turn) {
+  return total_turn > glm::radians(kSharpDegrees);
 }
 
 class Solver {
@@ -207,7 +207,7 @@ class Solver {
       const double sum = std::fabs(turns[0]) + std::fabs(turns[1]) + std::fabs(turns[2]);
       const double sharp = std::max(std::fabs(turns[0] + turns[1]), std::fabs(turns[1] + turns[2]));
       chord.is_open = sharp > kGlanceAtCorner * sum && is_corner(sharp);
-      chord.is_smooth = !chord.is_open && !may_have_corner(sum);
+      chord.is_smooth = !chord.is_open && !is_bent(sum);
     });
     for_leaves_of(chords_, [this](std::span<const SheetChord> chords) {
       if (std::ranges::all_of(chords, &SheetChord::is_smooth))
@@ -294,7 +294,7 @@ class Solver {
     // Arms that are nearly parallel meet far away.
     const double share = meeting && is_in_leaf(*meeting) ? share_of(chord, *meeting) : std::nan("");
     chord.is_open =
-        share > chord.shares[first - 1] && share < chord.shares[last + 1] && is_corner(turn);
+        share > chord.shares[first - 1] && share < chord.shares[last + 1] && is_bent(turn);
     if (!chord.is_open) return;
     chord.is_found = true;
     chord.touches = true;

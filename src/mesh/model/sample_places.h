@@ -20,7 +20,7 @@ inline constexpr std::array kAllAlongLine = {0.0, 0.25, 0.5, 0.75, 1.0};
 /// On the way away from a place, one after the other: what is near the place counts most.
 inline constexpr std::array kAwayFromPlace = {0.0625, 0.25, 0.5, 1.0};
 
-/// The first step of a compass search, in sizes of the box; a round without success halves it.
+/// The first step of a compass search, in sizes of what is searched. Later steps are halves of it.
 inline constexpr double kCompassStep = 0.25;
 /// The directions of its steps.
 inline constexpr std::array kFourWays = {dvec2(1, 0), dvec2(-1, 0), dvec2(0, 1), dvec2(0, -1)};

@@ -52,9 +52,10 @@ inline constexpr double kStays = 2;
 // Directions and slopes.
 
 /// Normals that differ by no more, in degrees, are one normal. A smaller angle is no visible
-/// crease, and one corner in place of four keeps smooth poles smooth.
+/// crease, and one corner in place of four keeps smooth poles smooth. An edge that turns by more in
+/// one place has a corner.
 inline constexpr double kCreaseDegrees = 1;
-/// An edge that turns by less has no corner, and normals that are off by less no sharp bend.
+/// An edge that turns by less in all is smooth, and normals that are off by less no sharp bend.
 inline constexpr double kSharpDegrees = 10;
 /// In chords: a sample farther from its chord does not lie on a small arc, and its distance along
 /// the normal is no estimate of the error.

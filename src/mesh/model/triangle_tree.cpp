@@ -43,8 +43,8 @@ double square_distance(const dvec3& p, const dvec3& a, const dvec3& b, const dve
   return square(p - (a + vb / sum * ab + vc / sum * ac));
 }
 
-/// By the nearest point of the box: of the larger of the distances from its faces and 0, the
-/// compiler makes jumps, which are hard to predict.
+/// Uses the nearest point of the box. GCC compiles the largest of the distances from its faces to
+/// branches, which are often mispredicted.
 double square_distance(const dvec3& p, const Bounds& box) {
   return square(p - glm::clamp(p, box.low, box.high));
 }
@@ -223,7 +223,8 @@ TriangleTree::Found TriangleTree::find_nearest(const dvec3& p, double known, dou
     ++visited;
     if (node.count > 0) {
       for (const Entry& entry : std::span(entries_).subspan(node.first, node.count)) {
-        if (square_distance(p, entry.box.bounds()) >= best) continue;  // of six, five
+        // Skips about five of six triangles.
+        if (square_distance(p, entry.box.bounds()) >= best) continue;
         const double square = square_of(entry.corners);
         if (!(square < best)) continue;
         best = square;

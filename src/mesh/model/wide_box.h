@@ -10,13 +10,13 @@
 
 namespace saddle {
 
-/// Half the memory of a box, and wider than it: what it is apart from, the box is apart from.
+/// Half the memory of a box, and wider than it: a point outside of it is outside of the box.
 class WideBox {
  public:
   /// Numbers beyond the largest float become that or infinity, whichever is outside.
   explicit WideBox(const Bounds& box) {
     using Float = std::numeric_limits<float>;
-    // Twice what rounding may take away; and more than it may where floats lose digits, near 0.
+    // Twice the rounding error of a float, and the least normal float where floats lose digits.
     const dvec3 margin =
         double{Float::epsilon()} * glm::max(glm::abs(box.low), glm::abs(box.high)) +
         double{Float::min()};

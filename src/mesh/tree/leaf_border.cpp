@@ -15,7 +15,7 @@ std::optional<double> border_of_pieces(const Leaf& leaf, const CellTree& tree) {
     // Between its jumps, the side is on other sheets.
     if (tree.edges().has_more(a, b)) return;
     const auto feature = tree.edges().feature(a, b);
-    // Beside an undefined side it tells nothing of the one opposite.
+    // Without a defined end and a feature the length of a side is not known: it is not 0.
     const bool is_undefined = !tree.geometry().is_defined(a) && !tree.geometry().is_defined(b);
     if (is_undefined && !feature) return;
     const dvec2 first = tree.vertices().place_between(a);

@@ -298,6 +298,12 @@ TEST(Rims, LeaveOutValuesOfTheirOwn) {
   EXPECT_LE(result.report.max_error, *result.report.tolerance);
   const TriangleTree tree(result.mesh);
   EXPECT_LE(tree.distance({-1e-4, 1.1e-4, -1}), *result.report.tolerance);
+  // On the line u = 0, where the jump is, the value is one of each side's.
+  std::size_t between = 0;
+  for (const dvec3& p : result.mesh.position) {
+    if (std::fabs(p.z) < 0.5 && p.x != 0) ++between;
+  }
+  EXPECT_EQ(between, 0U);
 }
 
 /// On v = 0 the height is (1 - u^0.25)^0.25, up to u = 1. The surface is (1 - u^0.25)^4 wide there:

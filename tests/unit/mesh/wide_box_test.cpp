@@ -19,10 +19,11 @@ void expect_around(const Bounds& box) {
 
 TEST(WideBox, IsAround) {
   for (std::uint64_t k = 0; k < 1000; ++k) {
-    const double x = 4 * random_unit(k) - 2;
-    for (const double scale : {0.0, 1e-300, 1e-42, 1e-38, 1e-6, 1.0, 1e6, 1e38, 1e39, 1e300}) {
-      expect_around({dvec3(scale * x), dvec3(scale * x)});
-    }
+    const auto random = [k](std::uint64_t i) { return 4 * random_unit(6 * k + i) - 2; };
+    const dvec3 a(random(0), random(1), random(2));
+    const dvec3 b(random(3), random(4), random(5));
+    for (const double scale : {0.0, 1e-300, 1e-42, 1e-38, 1e-6, 1.0, 1e6, 1e38, 1e39, 1e300})
+      expect_around({scale * glm::min(a, b), scale * glm::max(a, b)});
   }
 }
 
