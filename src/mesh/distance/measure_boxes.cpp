@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/numbers.h"
+#include "mesh/distance/overlay.h"
 #include "mesh/distance/sampled_error.h"
 #include "mesh/model/triangle_tree.h"
 
@@ -187,38 +188,39 @@ ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> u
     for (std::size_t i = 0; i < std::max(box.cells[0], 1U); ++i) {
       const std::size_t k = j * row + i;
       const std::array corners = {k, k + next_u, k + next_v, k + next_v + next_u};
-      if (!is_near(corners, points, most)) return ProofOutcome::Open;
+      if (!is_near(corners, most) && !is_over_patch(box, corners, points, most))
+        return ProofOutcome::Open;
     }
   }
   return ProofOutcome::Proved;
 }
 
+/// Whether two triangles between the points of a rectangle are over those of a box's patch.
+bool BoxMeasure::is_over_patch(const BoundedBox& box, const std::array<std::size_t, 4>& corners,
+                               std::span<const dvec3> points, double most) const {
+  if (box.cells[0] == 0 || box.cells[1] == 0) return false;
+  const std::span<const Triangle> triangles = triangles_.of(box.patch);
+  return std::ranges::all_of(std::array{corners[1], corners[2]}, [&](std::size_t other) {
+    return is_over({points[corners[0]], points[other], points[corners[3]]}, grid_, triangles, most);
+  });
+}
+
 /// Whether the convex hull of points is near one triangle, or two with a common side. The distance
 /// from a convex set is a convex function: of the hull, the points have the largest.
-bool BoxMeasure::is_near(const std::array<std::size_t, 4>& corners, std::span<const dvec3> points,
-                         double most) const {
+bool BoxMeasure::is_near(const std::array<std::size_t, 4>& corners, double most) const {
   const Triangle& a = nearest_[corners[0]].triangle;
   const Triangle* other = nullptr;
   double worst = 0;
-  bool are_two = true;
   for (const std::size_t k : corners) {
     const Triangle& t = nearest_[k].triangle;
     worst = std::max(worst, nearest_[k].distance);
     if (t == a) continue;
-    are_two = are_two && (other == nullptr || *other == t);
+    if (other != nullptr && *other != t) return false;
     other = &t;
   }
   if (!(worst <= most)) return false;
-  if (other == nullptr) return true;
-  if (are_two && (worst + fold_between(a, *other, corners) <= most ||
-                  worst + fold_between(*other, a, corners) <= most))
-    return true;
-  return std::ranges::any_of(corners, [&](std::size_t one) {
-    const Triangle& t = nearest_[one].triangle;
-    return std::ranges::all_of(corners, [&](std::size_t k) {
-      return nearest_[k].triangle == t || distance_from_triangle(grid_, t, points[k]) <= most;
-    });
-  });
+  return other == nullptr || worst + fold_between(a, *other, corners) <= most ||
+         worst + fold_between(*other, a, corners) <= most;
 }
 
 }  // namespace saddle

@@ -47,10 +47,11 @@ class BoxMeasure {
   std::optional<NearestTriangle> nearest(std::size_t patch, const dvec3& position, double enough);
   ProofOutcome measure(const BoundedBox& box, std::span<const dvec2> uv,
                        std::span<const dvec3> points);
+  bool is_over_patch(const BoundedBox& box, const std::array<std::size_t, 4>& corners,
+                     std::span<const dvec3> points, double most) const;
   double fold_between(const Triangle& a, const Triangle& b,
                       const std::array<std::size_t, 4>& corners) const;
-  bool is_near(const std::array<std::size_t, 4>& corners, std::span<const dvec3> points,
-               double most) const;
+  bool is_near(const std::array<std::size_t, 4>& corners, double most) const;
 
   const Surface& surface_;
   const Grid& grid_;

@@ -1,0 +1,17 @@
+// Distances of triangles between points of the surface from the triangles of the mesh below them.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "mesh/grid/grid.h"
+
+namespace saddle {
+
+/// Whether it is proved that no point of a triangle is farther than `most` from the mesh's
+/// triangles. These are projected straight onto the plane of the other, and have to lie the same
+/// way up there.
+bool is_over(const std::array<dvec3, 3>& corners, const Grid& grid,
+             std::span<const Triangle> triangles, double most);
+
+}  // namespace saddle
