@@ -80,11 +80,12 @@ void keep_crossings(SurfaceEnclosure& enclosure, std::vector<ParameterBox>& boxe
   keep([&](std::size_t k) { return breaks.has_most(k); }, boxes);
 }
 
-/// A range of one parameter in which an operation breaks, and whether one breaks beyond its ends,
-/// in a range that was left out.
+/// A range of one parameter in which an operation breaks.
 struct BrokenRange {
   double first, last;
+  /// Whether one breaks beyond its ends, in a range that was left out.
   bool before_first = false, beyond_last = false;
+  bool is_least = false;  ///< it has been tested, and is not halved any more
 };
 
 /// Leaves out the ranges between two others. Where there are many, an operation is undefined all
@@ -99,25 +100,29 @@ void keep_ends_of_runs(std::vector<BrokenRange>& ranges) {
                 [](const BrokenRange& range) { return range.before_first && range.beyond_last; });
 }
 
-/// The ranges of u (axis 0) or v (axis 1), halved kAllHalvings times or down to neighbouring
-/// doubles, in which operations on it alone break: along lines of constant u or v. None if there
+/// The ranges of u (axis 0) or v (axis 1), halved down to neighbouring doubles or to 0 but for
+/// rounding, in which operations on it alone break: along lines of constant u or v. None if there
 /// are too many. A range takes the operations on one parameter, not the whole formula.
 std::vector<BrokenRange> broken_ranges(SurfaceEnclosure& enclosure, const ParameterBox& domain,
                                        int axis) {
   BoxSubdivision<BrokenRange> search(std::vector{BrokenRange{domain.low[axis], domain.high[axis]}});
-  while (!search.open().empty() && search.depth() < kAllHalvings) {
+  const double zero = kRounding * domain.size()[axis];
+  while (!std::ranges::all_of(search.open(), &BrokenRange::is_least)) {
     search.test([&](const BrokenRange& range) {
-      const bool is_broken = enclosure.count_breaks_of_one(axis, range.first, range.last) > 0;
+      const bool is_broken =
+          range.is_least || enclosure.count_breaks_of_one(axis, range.first, range.last) > 0;
       return is_broken ? ProofOutcome::Open : ProofOutcome::Proved;
     });
-    if (search.open().size() > kMostOpen) keep_ends_of_runs(search.open());
+    if (search.open().size() > kMostFollowed) keep_ends_of_runs(search.open());
     if (search.open().size() > kMostOpen) return {};
-    search.halve_each([](const BrokenRange& range, std::vector<BrokenRange>& next) {
+    search.halve_each([zero](const BrokenRange& range, std::vector<BrokenRange>& next) {
       const double middle = std::midpoint(range.first, range.last);
-      if (middle == range.first || middle == range.last) {
+      const bool is_zero = std::max(std::fabs(range.first), std::fabs(range.last)) <= zero;
+      if (is_zero || middle == range.first || middle == range.last) {
         next.push_back(range);
+        next.back().is_least = true;
       } else {
-        next.push_back({range.first, middle, range.before_first, false});
+        next.push_back({range.first, middle, range.before_first});
         next.push_back({middle, range.last, false, range.beyond_last});
       }
     });
