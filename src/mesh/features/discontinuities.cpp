@@ -87,13 +87,21 @@ Line between(const Line& a, const Line& b, const Line& line) {
   return is_first ? Line{a[1], b[0]} : Line{b[1], a[0]};
 }
 
+/// Discontinuities this near are one. Beside a pole rounding makes others: 1 in the last digit of a
+/// parameter changes values more than the tolerance.
+double same_of(const Line& line, bool are_poles) {
+  const dvec2 size = glm::max(glm::abs(line[0]), glm::abs(line[1]));
+  return kSame * (are_poles ? std::max({length_of(line), size.x, size.y}) : length_of(line));
+}
+
 /// Adds a discontinuity in an unproved part to the known one of its line.
 void add(const LocatedDiscontinuity& more, const Line& line, LocatedDiscontinuity& known) {
   if (more.kind == Discontinuity::None) return;
   const Line gap = between(known.ends, more.ends, line);
+  const bool are_poles = known.kind == Discontinuity::Pole && more.kind == Discontinuity::Pole;
   if (known.kind == Discontinuity::None) {
     known = more;
-  } else if (length_of(gap) > kSame * length_of(line)) {
+  } else if (length_of(gap) > same_of(line, are_poles)) {
     known.between = middle_of(gap);
   } else if (more.kind == Discontinuity::Pole) {
     known.kind = Discontinuity::Pole;

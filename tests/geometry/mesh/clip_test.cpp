@@ -289,6 +289,16 @@ TEST(Clip, ReachesPolesFromTheirFiniteSides) {
   }
 }
 
+/// Rounding beside the pole must not lead to a refinement along all of it.
+TEST(Clip, TakesFewTrianglesWhereAPoleCrossesZero) {
+  MeshRequest options = within_length(0.008);
+  options.clip = Bounds{dvec3(-1, -1, -3.876), dvec3(1, 1, 3.876)};
+  options.lines = {15, 15};
+  const MeshResult result = try_mesh(height_field("tan(1.605*u)*v"), options).value();
+  EXPECT_FALSE(result.report.reached_limit);
+  EXPECT_LT(result.mesh.triangles.size(), 3000U);
+}
+
 /// Cells that are cut have twice as many triangles, and those count.
 TEST(Clip, KeepsTheLimitOfTrianglesWherePolesEndOnFaces) {
   MeshRequest options = within_length(1e-3);

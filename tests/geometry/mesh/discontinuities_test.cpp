@@ -131,6 +131,18 @@ TEST(JumpSearch, FindsJumpsWithoutAValueBetweenTheirSides) {
     EXPECT_EQ(kind_of(z), Discontinuity::None) << z;
 }
 
+TEST(JumpSearch, FindsOnePoleWhereRoundingMakesMore) {
+  // Values at neighbouring doubles beside the pole differ by more than the tolerance.
+  const Surface tangents = height_field("tan(1.605*u)*v");
+  for (const double v : {1.3636423165604259e-05, -1.9165264946354918e-05, -0.0333}) {
+    const Line line = {dvec2(0.97868667679372201, v), dvec2(0.97868999249428301, v)};
+    std::size_t work = 0;
+    const auto found = find_discontinuities(tangents, std::span(&line, 1), 0.008, 1, work)[0];
+    EXPECT_EQ(found.kind, Discontinuity::Pole);
+    EXPECT_FALSE(found.between) << v;
+  }
+}
+
 TEST(JumpSearch, FindsAllJumpsOfALineAtOnce) {
   const Surface steps = height_field(kThreeSteps, {-1, 2, -1, 1});
   for (const Line& line :
