@@ -20,9 +20,6 @@ namespace saddle {
 
 namespace {
 
-/// Where a leaf without triangles is sampled, in sides of the leaf.
-constexpr std::array kLeafPlaces = {dvec2(0.5, 0.5), dvec2(0.3, 0.2), dvec2(0.8, 0.3),
-                                    dvec2(0.7, 0.8), dvec2(0.2, 0.7)};
 /// Between a face and a boundary without a limit, as of u/sqrt(v) at u=0, an edge is a parabola of
 /// parameters: all but 1/16 of it is before the place that is nearest to its end.
 constexpr std::array kMiddleAndNearEnds = {0.5, 1.0 / 256, 255.0 / 256};
@@ -66,7 +63,7 @@ void BoundaryDistance::add_omitted(const Leaf& leaf, std::size_t number) {
   omitted_.push_back(number);
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
-  for (const dvec2& place : kLeafPlaces) {
+  for (const dvec2& place : kPlacesInBox) {
     places_in_omitted_.push_back(low + size * place);
     for (const dvec2& way : kFourWays)
       places_in_omitted_.push_back(low + size * border_of_square(place, way));
@@ -387,7 +384,7 @@ void BoundaryDistance::measure_omitted(std::vector<LeafDistance>& found) {
       const dvec3& beside = points[k + way].position;
       if (is_finite(beside)) nearest = std::min(nearest, glm::distance(beside, points[k].position));
     }
-    found.push_back({omitted_[k / (group * kLeafPlaces.size())], nearest});
+    found.push_back({omitted_[k / (group * kPlacesInBox.size())], nearest});
   }
 }
 

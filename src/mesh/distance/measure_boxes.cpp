@@ -10,14 +10,21 @@
 #include "base/numbers.h"
 #include "mesh/distance/overlay.h"
 #include "mesh/distance/sampled_error.h"
+#include "mesh/model/sample_places.h"
 #include "mesh/model/triangle_tree.h"
 
 namespace saddle {
 namespace {
 
-/// The corners of the rectangles of a box, u inner.
+/// The corners of the rectangles of a box, u inner; of a box with a sphere, places on either side
+/// of a jump through it.
 void append_points(const BoundedBox& box, std::vector<dvec2>& uv) {
-  if (box.centre) return;
+  if (box.centre && !box.may_jump) return;
+  if (box.centre) {
+    for (const dvec2& place : kPlacesInBox)
+      uv.push_back(glm::mix(box.box.low, box.box.high, place));
+    return;
+  }
   const auto part = [](std::uint32_t k, std::uint32_t cells) {
     return cells == 0 ? 0.5 : static_cast<double>(k) / cells;
   };
@@ -30,7 +37,8 @@ void append_points(const BoundedBox& box, std::vector<dvec2>& uv) {
 }
 
 std::size_t count_points(const BoundedBox& box) {
-  return box.centre ? 0 : std::size_t{box.cells[0] + 1} * (box.cells[1] + 1);
+  if (box.centre) return box.may_jump ? kPlacesInBox.size() : 0;
+  return std::size_t{box.cells[0] + 1} * (box.cells[1] + 1);
 }
 
 /// Two triangles with a common side: the numbers of the corners that are not on it.
@@ -158,11 +166,6 @@ ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> u
   double worst = 0;
   std::size_t farthest = 0;
   nearest_.clear();
-  const double most = kProofFactor * allowed - box.reach;
-  if (box.centre) {
-    const auto found = nearest(box.patch, *box.centre, most);
-    return found && found->distance <= most ? ProofOutcome::Proved : ProofOutcome::Open;
-  }
   for (std::size_t k = 0; k < points.size(); ++k) {
     const dvec3& p = points[k];
     const auto found = nearest(box.patch, p, allowed);
@@ -179,6 +182,11 @@ ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> u
     const dvec2 size = box.box.size() / glm::max(dvec2(box.cells[0], box.cells[1]), dvec2(1));
     found_.push_back({{uv[farthest], points[farthest], size, box.bend, box.patch}, worst});
     return ProofOutcome::Refuted;
+  }
+  const double most = kProofFactor * allowed - box.reach;
+  if (box.centre) {
+    const auto found = nearest(box.patch, *box.centre, most);
+    return found && found->distance <= most ? ProofOutcome::Proved : ProofOutcome::Open;
   }
   const std::size_t row = box.cells[0] + 1;
   // A range that is not divided has one point.

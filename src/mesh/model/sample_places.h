@@ -17,6 +17,10 @@ inline constexpr std::array kAlongLine = {0.25, 0.5, 0.75};
 /// These and both ends.
 inline constexpr std::array kAllAlongLine = {0.0, 0.25, 0.5, 0.75, 1.0};
 
+/// In a leaf or a box, in its sides: the middle, and places apart from its lines of symmetry.
+inline constexpr std::array kPlacesInBox = {dvec2(0.5, 0.5), dvec2(0.3, 0.2), dvec2(0.8, 0.3),
+                                            dvec2(0.7, 0.8), dvec2(0.2, 0.7)};
+
 /// On the way away from a place, one after the other: what is near the place counts most.
 inline constexpr std::array kAwayFromPlace = {0.0625, 0.25, 0.5, 1.0};
 

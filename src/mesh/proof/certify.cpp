@@ -8,6 +8,7 @@
 
 #include "base/numbers.h"
 #include "mesh/model/clip.h"
+#include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/proof/box_bounds.h"
 #include "mesh/proof/sides_of_jump.h"
@@ -301,18 +302,19 @@ class Certifier {
 
   /// Puts a part on the list of boxes whose points are measured, if its bounds are narrow enough.
   bool measure_later(const Part& part, double tolerance, const BoxBounds& bounds) {
-    const bool may_have_hole = bounds.broken == GapReason::Undefined;
-    // A box in which the surface may be undefined is no longer than two tolerances, so that a hole
-    // in it is one deep. Distances of the surface say nothing about its holes.
-    const double allowed = may_have_hole ? tolerance : kReach * tolerance;
+    // A box in which the surface may be undefined or jump is no longer than two tolerances, so that
+    // a hole in it is one deep, and a mesh across a jump one off.
+    const double allowed = bounds.broken ? tolerance : kReach * tolerance;
     const dvec2 size = part.box.size();
     const dvec2 bend(bounds.bend.x, bounds.bend.z);
     if (const auto cells = bounds.cells_within(size, allowed)) {
       budget_.take_points(std::size_t{(*cells)[0] + 1} * ((*cells)[1] + 1));
       bounded_.push_back({part.patch, part.box, *cells, bounds.reach(size, *cells), bend});
     } else if (const double radius = 0.5 * bounds.extent(); radius <= allowed) {
-      budget_.take_points(1);
-      bounded_.push_back({part.patch, part.box, {0, 0}, radius, bend, bounds.hull.centre()});
+      const bool may_jump = bounds.broken == GapReason::Discontinuous;
+      budget_.take_points(may_jump ? 1 + kPlacesInBox.size() : 1);
+      bounded_.push_back(
+          {part.patch, part.box, {0, 0}, radius, bend, bounds.hull.centre(), may_jump});
     } else {
       return false;
     }
