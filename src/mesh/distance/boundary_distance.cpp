@@ -358,16 +358,29 @@ void BoundaryDistance::measure_beyond_box(std::span<const SurfacePoint> at_middl
   }
 }
 
+/// Whether a chord lies along a face of the clip box.
+bool BoundaryDistance::is_along_face(const Chord& chord) const {
+  if (!clip_) return false;
+  const dvec3& a = grid_.mesh.position[chord[0]];
+  const dvec3& b = grid_.mesh.position[chord[1]];
+  for (int k = 0; k < 3; ++k) {
+    const double near = kNearly * glm::distance(a, b);
+    if (std::max(a[k], b[k]) <= clip_->low[k] + near) return true;
+    if (std::min(a[k], b[k]) >= clip_->high[k] - near) return true;
+  }
+  return false;
+}
+
 /// The distance of a point of the edge from its chord, or from the triangles where it lies beyond
-/// the chord's ends. Beside a clip box chords lie along its faces, and only triangles count. A leaf
-/// without triangles has chords on its sides alone.
+/// the chord's ends. Of chords along faces of a clip box only triangles count. A leaf without
+/// triangles has chords on its sides alone.
 double BoundaryDistance::distance_from_edge(const EdgeChord& chord,
                                             std::span<const Triangle> triangles, const dvec2& uv,
                                             const SurfacePoint& point) const {
   const double from_chord = distance_from_chord(grid_, chord.ends, point.position);
   if (!is_beyond(chord, uv) || triangles.empty()) return from_chord;
   const double from_triangles = distance_from(grid_, triangles, uv, point.position);
-  return clip_ ? from_triangles : std::max(from_chord, from_triangles);
+  return is_along_face(chord.ends) ? from_triangles : std::max(from_chord, from_triangles);
 }
 
 /// Leaves may be defined in places but not at their corners, as beside the point where a boundary
