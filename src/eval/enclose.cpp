@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <optional>
+#include <utility>
 
 #include "formula/operations.h"
 
@@ -25,6 +27,47 @@ std::size_t hash_of(const Interval& range) {
   const auto folded = [](std::uint64_t bits) { return bits ^ (bits >> 32U); };
   return ((folded(low) * kSpread ^ folded(high)) * kSpread) >> 32U;
 }
+
+/// Which operation wrote a slot last, while slots are written again.
+class ValuesOfSlots {
+ public:
+  explicit ValuesOfSlots(std::span<const Interval> slots) : now_(slots.size()) {
+    for (const Interval& slot : slots) {
+      now_[values_.size()] = values_.size();
+      values_.push_back({std::nullopt, {}, slot});
+    }
+  }
+
+  void write(Op op, const std::array<std::uint32_t, 3>& in, std::uint32_t out) {
+    Value value{op, {}, kUndefined};
+    for (int k = 0; k < arity(op); ++k) value.in[k] = now_[in[k]];
+    now_[out] = values_.size();
+    values_.push_back(value);
+  }
+
+  /// Whether a slot holds the sign of a value, and another is 0, and continuous, wherever that is.
+  bool is_sign_of(std::uint32_t sign, std::uint32_t other) const {
+    const Value& value = values_[now_[sign]];
+    return value.op == Op::Sign && is_zero_with(now_[other], value.in[0]);
+  }
+
+ private:
+  struct Value {
+    std::optional<Op> op;  // none of constants and parameters
+    std::array<std::size_t, 3> in;
+    Interval constant;
+  };
+  bool is_zero_with(std::size_t number, std::size_t zero) const {
+    if (number == zero) return true;
+    const Value& value = values_[number];
+    if (value.op == Op::Pow)
+      return values_[value.in[1]].constant.low > 0 && is_zero_with(value.in[0], zero);
+    return (value.op == Op::Abs || value.op == Op::Sqrt) && is_zero_with(value.in[0], zero);
+  }
+
+  std::vector<std::size_t> now_;  // the value of each slot
+  std::vector<Value> values_;
+};
 
 }  // namespace
 
@@ -67,6 +110,7 @@ Enclosure::Enclosure(const Tape& tape, std::size_t outputs) {
   append(tape.of_both, of_both_);
   for (const Slot slot : std::span(tape.outputs).first(outputs)) outputs_.push_back(place(slot));
   if (outputs < tape.outputs.size()) keep_needed_steps();
+  find_joined_signs();
 }
 
 /// Leaves out the steps that no output depends on. Slots are used again: what is needed of one is
@@ -86,13 +130,30 @@ void Enclosure::keep_needed_steps() {
   }
 }
 
+/// Finds products such as sign(x)*abs(x)^3, of which bounds of their factors say that they jump.
+void Enclosure::find_joined_signs() {
+  const auto is_sign = [](const Step& step) { return step.op == Op::Sign; };
+  if (std::ranges::none_of(of_u_.steps, is_sign) && std::ranges::none_of(of_v_.steps, is_sign) &&
+      std::ranges::none_of(of_both_, is_sign))
+    return;
+  ValuesOfSlots values(slots_);
+  for (std::vector<Step>* const steps : {&of_u_.steps, &of_v_.steps, &of_both_}) {
+    for (Step& step : *steps) {
+      if (step.op == Op::Mul && values.is_sign_of(step.in[1], step.in[0]))
+        std::swap(step.in[0], step.in[1]);
+      step.joins = step.op == Op::Mul && values.is_sign_of(step.in[0], step.in[1]);
+      values.write(step.op, step.in, step.out);
+    }
+  }
+}
+
 std::uint32_t Enclosure::place(Slot slot) const {
   return banks_[static_cast<std::size_t>(slot.rate)] + slot.index;
 }
 
 void Enclosure::append(std::span<const Instruction> instructions, std::vector<Step>& steps) const {
   for (const Instruction& instruction : instructions) {
-    Step step = {instruction.op, false, place(instruction.out), {}};
+    Step step = {instruction.op, false, false, place(instruction.out), {}};
     for (int i = 0; i < arity(step.op); ++i) step.in[i] = place(instruction.in[i]);
     const Interval& exponent = slots_[step.in[1]];
     const bool constant = instruction.in[1].rate == Rate::Constant && is_point(exponent);
@@ -110,6 +171,11 @@ Interval Enclosure::apply(const Step& step) const {
   const Interval& a = slots_[step.in[0]];
   const Interval& b = slots_[step.in[1]];
   if (step.square) return sqr(a);
+  if (step.joins) {
+    Interval product = a * b;
+    product.continuous = b.continuous;
+    return product;
+  }
   // Most steps are products and sums: no calls.
   if (step.op == Op::Mul) return a * b;
   if (step.op == Op::Add) return a + b;

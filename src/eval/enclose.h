@@ -52,6 +52,7 @@ class Enclosure {
   struct Step {
     Op op;
     bool square;  // a product of a slot with itself, or a power 2
+    bool joins;   // a product of a sign, and second what is 0 with the sign: it does not jump
     std::uint32_t out;
     std::array<std::uint32_t, 3> in;
   };
@@ -71,6 +72,7 @@ class Enclosure {
   std::size_t run_counting_breaks(std::span<const Step> steps);
   void load(const Interval& range, Bank& bank);
   void keep_needed_steps();
+  void find_joined_signs();
   std::uint32_t place(Slot slot) const;
 
   std::array<std::uint32_t, 4> banks_ = {};  ///< where the slots of each rate begin

@@ -43,6 +43,16 @@ TEST(Enclosure, CountsTheOperationsThatBreakABox) {
   EXPECT_EQ(breaks(two, {-3.75, -3.25}, {0.25, 0.5}), 1U);  // a logarithm of less than 0
 }
 
+TEST(Enclosure, KnowsThatASignDoesNotJumpBesideAPowerThatIs0WithIt) {
+  for (const char* formula : {"sign(u)*abs(u)^0.3", "abs(u)^3*sign(u)", "sign(u-v)*sqrt(abs(u-v))",
+                              "sign(u)*u^2+v", "2*(sign(sin(u))*abs(sin(u))^0.7)*cos(v)"})
+    EXPECT_TRUE(enclosure(formula, {-1, 1}, {-1, 1}).continuous) << formula;
+  for (const char* formula : {"sign(u)*abs(v)^0.3", "sign(u)*(abs(u)+1)", "sign(u)*abs(u+v)^3",
+                              "sign(u)*abs(u)^0", "sign(u)*abs(floor(u))", "sign(u)*sign(u)+u",
+                              "sign(sin(u))*abs(cos(u))"})
+    EXPECT_FALSE(enclosure(formula, {-1, 1}, {-1, 1}).continuous) << formula;
+}
+
 TEST(Enclosure, TellsBreaksAlongLinesFromThoseOfBothParameters) {
   Graph graph;
   const Tape tape = compile(graph, std::vector{parse(graph, "floor(u)*ceil(v)+sqrt(u-v)")});
