@@ -74,11 +74,12 @@ std::vector<Place> places_around(const Leaf& leaf, const CellTree& tree) {
 
 /// Adds the middles between places across the leaf from each other: a strip that crosses a leaf may
 /// be on its sides where others have triangles, and be far from them inside. Between places along
-/// a jump, the surface may have a value of its own.
-void append_middles(std::vector<Place>& places) {
+/// a jump, the surface may have a value of its own: middles are a little aside.
+void append_middles(const dvec2& size_of_leaf, std::vector<Place>& places) {
   const std::size_t across = places.size() / 2;
+  const dvec2 aside = kNearly * size_of_leaf * dvec2(1, -1);
   for (std::size_t k = 0; k < across; ++k)
-    places.push_back({0.5 * (places[k].uv + places[k + across].uv)});
+    places.push_back({0.5 * (places[k].uv + places[k + across].uv) + aside});
 }
 
 std::vector<Triangle> triangles_of_others(const ValidatedMesh& mesh) {
@@ -215,14 +216,13 @@ std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
   Measurer measurer(clip, threads, tree, triangles);
   for (const std::size_t k : left_out) {
     const Leaf& leaf = mesh.leaves[k];
-    std::vector<Place> places = places_around(leaf, tree);
-    if (!has_cut(FeatureKind::Jump, leaf, tree)) append_middles(places);
-    measurer.add(k, places);
-    // Where a jump meets the boundary, sheets may end far from the sides.
-    if (leaf.state.cut() != LeafCut::BoundaryAndFeature) continue;
     const ParameterBox box = {tree.vertices().parameters(leaf.low),
                               tree.vertices().parameters(leaf.high())};
-    measurer.add_inside(box);
+    std::vector<Place> places = places_around(leaf, tree);
+    if (!has_cut(FeatureKind::Jump, leaf, tree)) append_middles(box.size(), places);
+    measurer.add(k, places);
+    // Where a jump meets the boundary, sheets may end far from the sides.
+    if (leaf.state.cut() == LeafCut::BoundaryAndFeature) measurer.add_inside(box);
   }
   return measurer.run();
 }

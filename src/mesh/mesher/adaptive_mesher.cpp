@@ -405,12 +405,24 @@ bool AdaptiveMesher::is_small(const Leaf& leaf) const {
   return halvings_of_root(leaf) >= kBoundaryHalvings && direction_.is_too_small_to_see(leaf);
 }
 
-/// Leaves out the small leaves that are cut unclearly.
+/// Whether a smallest leaf reaches from one side of the clip box to the other, and no pole is known
+/// to cut it: where a jump crosses the pole's line, its triangles are walls.
+bool AdaptiveMesher::is_wall_beside_pole(const Leaf& leaf) const {
+  if (!request_.clip || leaf.size_u() > 1 || leaf.size_v() > 1) return false;
+  if (has_cut(FeatureKind::Face, leaf, tree_)) return false;
+  Bounds around;
+  for (const dvec3& p : corner_positions(leaf, tree_)) around.add(p);
+  return glm::any(glm::lessThan(around.low, request_.clip->low) &&
+                  glm::greaterThan(around.high, request_.clip->high));
+}
+
+/// Leaves out the small leaves that are cut unclearly, and walls.
 void AdaptiveMesher::leave_out_unclear() {
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     const Leaf& leaf = mesh_.leaves[k];
-    if (!leaf.state.is_cut_by_feature() || !is_small(leaf)) continue;
-    if (direction_.is_cut_unclearly(k)) leave_out(k);
+    if (!leaf.state.is_cut_by_feature()) continue;
+    if ((is_small(leaf) && direction_.is_cut_unclearly(k)) || is_wall_beside_pole(leaf))
+      leave_out(k);
   }
 }
 
