@@ -28,7 +28,7 @@ std::size_t hash_of(const Interval& range) {
   return ((folded(low) * kSpread ^ folded(high)) * kSpread) >> 32U;
 }
 
-/// Which operation wrote a slot last, while slots are written again.
+/// The values that slots hold at one step of a tape. A slot may hold several, one after another.
 class ValuesOfSlots {
  public:
   explicit ValuesOfSlots(std::span<const Interval> slots) : now_(slots.size()) {
@@ -45,7 +45,8 @@ class ValuesOfSlots {
     values_.push_back(value);
   }
 
-  /// Whether a slot holds the sign of a value, and another is 0, and continuous, wherever that is.
+  /// Whether a slot holds the sign of a value, and another one a power of its size or itself: 0
+  /// wherever the value is 0, and without a jump of its own.
   bool is_sign_of(std::uint32_t sign, std::uint32_t other) const {
     const Value& value = values_[now_[sign]];
     return value.op == Op::Sign && is_zero_with(now_[other], value.in[0]);
@@ -53,15 +54,17 @@ class ValuesOfSlots {
 
  private:
   struct Value {
-    std::optional<Op> op;  // none of constants and parameters
+    std::optional<Op> op;  // nothing for constants and parameters
     std::array<std::size_t, 3> in;
     Interval constant;
   };
   bool is_zero_with(std::size_t number, std::size_t zero) const {
     if (number == zero) return true;
     const Value& value = values_[number];
-    if (value.op == Op::Pow)
-      return values_[value.in[1]].constant.low > 0 && is_zero_with(value.in[0], zero);
+    if (value.op == Op::Pow) {
+      const Value& exponent = values_[value.in[1]];
+      return !exponent.op && exponent.constant.low > 0 && is_zero_with(value.in[0], zero);
+    }
     return (value.op == Op::Abs || value.op == Op::Sqrt) && is_zero_with(value.in[0], zero);
   }
 
@@ -130,7 +133,7 @@ void Enclosure::keep_needed_steps() {
   }
 }
 
-/// Finds products such as sign(x)*abs(x)^3, of which bounds of their factors say that they jump.
+/// Finds products such as sign(x)*abs(x)^3. They do not jump, though one of their factors does.
 void Enclosure::find_joined_signs() {
   const auto is_sign = [](const Step& step) { return step.op == Op::Sign; };
   if (std::ranges::none_of(of_u_.steps, is_sign) && std::ranges::none_of(of_v_.steps, is_sign) &&

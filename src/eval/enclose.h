@@ -52,7 +52,7 @@ class Enclosure {
   struct Step {
     Op op;
     bool square;  // a product of a slot with itself, or a power 2
-    bool joins;   // a product of a sign, and second what is 0 with the sign: it does not jump
+    bool joins;   // in[0] is the sign of a value, and in[1] is 0 where that is: no jump
     std::uint32_t out;
     std::array<std::uint32_t, 3> in;
   };

@@ -358,21 +358,8 @@ void BoundaryDistance::measure_beyond_box(std::span<const SurfacePoint> at_middl
   }
 }
 
-/// Whether a chord lies along a face of the clip box.
-bool BoundaryDistance::is_along_face(const Chord& chord) const {
-  if (!clip_) return false;
-  const dvec3& a = grid_.mesh.position[chord[0]];
-  const dvec3& b = grid_.mesh.position[chord[1]];
-  for (int k = 0; k < 3; ++k) {
-    const double near = kNearly * glm::distance(a, b);
-    if (std::max(a[k], b[k]) <= clip_->low[k] + near) return true;
-    if (std::min(a[k], b[k]) >= clip_->high[k] - near) return true;
-  }
-  return false;
-}
-
-/// The distance of a point of the edge from its chord, or from the triangles where it lies beyond
-/// the chord's ends. Of chords along faces of a clip box only triangles count. A leaf without
+/// The distance of a point of the edge from its chord, and from the triangles where the point lies
+/// beyond the chord. Beside a face of the clip box the chord does not count. A leaf without
 /// triangles has chords on its sides alone.
 double BoundaryDistance::distance_from_edge(const EdgeChord& chord,
                                             std::span<const Triangle> triangles, const dvec2& uv,
@@ -380,7 +367,10 @@ double BoundaryDistance::distance_from_edge(const EdgeChord& chord,
   const double from_chord = distance_from_chord(grid_, chord.ends, point.position);
   if (!is_beyond(chord, uv) || triangles.empty()) return from_chord;
   const double from_triangles = distance_from(grid_, triangles, uv, point.position);
-  return is_along_face(chord.ends) ? from_triangles : std::max(from_chord, from_triangles);
+  const auto& position = grid_.mesh.position;
+  const bool is_along =
+      clip_ && is_along_face(*clip_, position[chord.ends[0]], position[chord.ends[1]]);
+  return is_along ? from_triangles : std::max(from_chord, from_triangles);
 }
 
 /// Leaves may be defined in places but not at their corners, as beside the point where a boundary

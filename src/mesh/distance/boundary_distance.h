@@ -91,7 +91,6 @@ class BoundaryDistance {
   double foot(std::uint32_t from, std::uint32_t to, const dvec3& above) const;
   std::vector<std::array<dvec2, 2>> ways_to_boundary(std::span<const SurfacePoint> at_middle);
   std::vector<dvec2> ends_of(std::span<const std::array<dvec2, 2>> ways) const;
-  bool is_along_face(const std::array<std::uint32_t, 2>& chord) const;
   double distance_from_edge(const EdgeChord& chord, std::span<const Triangle> triangles,
                             const dvec2& uv, const SurfacePoint& point) const;
   void follow_outside(std::span<const std::array<dvec2, 2>> ways, std::vector<dvec2>& ends) const;

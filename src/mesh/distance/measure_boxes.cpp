@@ -16,8 +16,8 @@
 namespace saddle {
 namespace {
 
-/// The corners of the rectangles of a box, u inner; of a box with a sphere, places on either side
-/// of a jump through it.
+/// The corners of the rectangles of a box, u inner. A box with a sphere has places inside if the
+/// surface may jump there: most jumps have some of them on either side.
 void append_points(const BoundedBox& box, std::vector<dvec2>& uv) {
   if (box.centre && !box.may_jump) return;
   if (box.centre) {

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "base/vec.h"
 #include "mesh/model/segment.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 namespace {
@@ -21,13 +23,13 @@ class PlaneOfTriangle {
       : origin_(corners[0]), b_(corners[1] - origin_), c_(corners[2] - origin_) {
     const dvec3 area = glm::cross(b_, c_);
     const double length = glm::length(area);
-    has_area_ = length > 0;
+    has_area_ = length > kSame * glm::length(b_) * glm::length(c_);
     up_ = area / length;
     to_b_ = glm::cross(c_, up_) / length;
     to_c_ = glm::cross(up_, b_) / length;
   }
 
-  /// Only planes with an area are to be used.
+  /// Whether the triangle is more than a line but for rounding. Only then the plane may be used.
   bool has_area() const { return has_area_; }
 
   /// Coordinates in the plane, and the height above it.
@@ -43,7 +45,7 @@ class PlaneOfTriangle {
 };
 
 /// The rest of the triangle after up to three cuts, in the coordinates of its plane. A cut adds a
-/// corner, and where roundings bend sides it adds half as many as there are: 9 in all.
+/// corner, or where roundings bend sides at most half as many corners as there are: 9 in all.
 struct Part {
   std::array<dvec2, 9> corner = {dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)};
   std::size_t count = 3;
@@ -60,7 +62,7 @@ Part left_of(const dvec2& from, const dvec2& to, const Part& part) {
   for (std::size_t k = 0; k < part.count; ++k) {
     const std::size_t next = k + 1 == part.count ? 0 : k + 1;
     if (height[k] >= 0) left.corner[left.count++] = part.corner[k];
-    if (height[k] * height[next] < 0) {
+    if (std::min(height[k], height[next]) < 0 && std::max(height[k], height[next]) > 0) {
       const double share = height[k] / (height[k] - height[next]);
       left.corner[left.count++] = glm::mix(part.corner[k], part.corner[next], share);
     }
@@ -112,9 +114,12 @@ class Projected {
   double twice_;
 };
 
-bool has_side(const Triangle& t, std::uint32_t from, std::uint32_t to) {
-  return (t[0] == from && t[1] == to) || (t[1] == from && t[2] == to) ||
-         (t[2] == from && t[0] == to);
+std::ptrdiff_t count_sides(std::span<const Triangle> triangles, std::uint32_t from,
+                           std::uint32_t to) {
+  return std::ranges::count_if(triangles, [&](const Triangle& t) {
+    return (t[0] == from && t[1] == to) || (t[1] == from && t[2] == to) ||
+           (t[2] == from && t[0] == to);
+  });
 }
 
 }  // namespace
@@ -124,28 +129,29 @@ bool has_side(const Triangle& t, std::uint32_t from, std::uint32_t to) {
 // from a side convex: both are largest at the corners.
 bool is_over(const std::array<dvec3, 3>& corners, const Grid& grid,
              std::span<const Triangle> triangles, double most) {
-  const PlaneOfTriangle plane(corners);
+  const double scale = grid.local_scale;
+  const PlaneOfTriangle plane({scale * corners[0], scale * corners[1], scale * corners[2]});
   if (!plane.has_area() || triangles.empty()) return false;
-  const auto& position = grid.mesh.position;
-  double area_before = 0;
+  const double most_local = scale * most;
+  std::optional<bool> is_upward;
   for (const Triangle& t : triangles) {
-    const Projected own(plane, {position[t[0]], position[t[1]], position[t[2]]});
+    const Projected own(plane, {grid.local(t[0]), grid.local(t[1]), grid.local(t[2])});
     const double area = own.twice_area();
-    if (!(area != 0 && area * area_before >= 0)) return false;  // true for NaN
-    area_before = area;
+    if (!(area != 0) || is_upward.value_or(area > 0) != (area > 0)) return false;  // true for NaN
+    is_upward = area > 0;
     const Part overlap = own.overlap();
     for (const dvec2& place : overlap.corners()) {
-      if (!(std::fabs(own.height_at(place)) <= most)) return false;
+      if (!(std::fabs(own.height_at(place)) <= most_local)) return false;
     }
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t from = t[k];
       const std::uint32_t to = t[(k + 1) % 3];
-      const auto shares = [&](const Triangle& other) { return has_side(other, to, from); };
-      if (std::ranges::any_of(triangles, shares)) continue;
+      if (count_sides(triangles, to, from) == 1 && count_sides(triangles, from, to) == 1) continue;
       const Part beyond = own.beyond(k);
       for (const dvec2& place : beyond.corners()) {
-        const dvec3 point = plane.position_at(place);
-        if (!(distance_from_segment(position[from], position[to], point) <= most)) return false;
+        const double distance =
+            distance_from_segment(grid.local(from), grid.local(to), plane.position_at(place));
+        if (!(distance <= most_local)) return false;
       }
     }
   }

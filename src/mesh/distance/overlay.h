@@ -8,9 +8,9 @@
 
 namespace saddle {
 
-/// Whether it is proved that no point of a triangle is farther than `most` from the mesh's
-/// triangles. These are projected straight onto the plane of the other, and have to lie the same
-/// way up there.
+/// Whether it is proved that no point of the triangle with these corners is farther than `most`
+/// from triangles of the mesh. These are projected straight onto its plane, and have to lie the
+/// same way up there.
 bool is_over(const std::array<dvec3, 3>& corners, const Grid& grid,
              std::span<const Triangle> triangles, double most);
 

@@ -1,6 +1,7 @@
 #include "mesh/features/discontinuities.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <optional>
@@ -87,11 +88,18 @@ Line between(const Line& a, const Line& b, const Line& line) {
   return is_first ? Line{a[1], b[0]} : Line{b[1], a[0]};
 }
 
-/// Discontinuities this near are one. Beside a pole rounding makes others: 1 in the last digit of a
-/// parameter changes values more than the tolerance.
+/// Discontinuities this near are one. Rounding makes false poles beside a true one: where it moves
+/// a parameter by e, values change by more than the tolerance up to a distance of about sqrt(e),
+/// times that of the square root of the line's length.
 double same_of(const Line& line, bool are_poles) {
-  const dvec2 size = glm::max(glm::abs(line[0]), glm::abs(line[1]));
-  return kSame * (are_poles ? std::max({length_of(line), size.x, size.y}) : length_of(line));
+  const double length = length_of(line);
+  double rounding = 0;
+  for (int k = 0; are_poles && k < 2; ++k) {
+    if (line[0][k] == line[1][k]) continue;
+    const double size = std::max(std::fabs(line[0][k]), std::fabs(line[1][k]));
+    rounding = std::max(rounding, kRounding * size);
+  }
+  return std::max(kSame * length, std::sqrt(rounding) * std::sqrt(length));
 }
 
 /// Adds a discontinuity in an unproved part to the known one of its line.

@@ -100,13 +100,14 @@ void keep_ends_of_runs(std::vector<BrokenRange>& ranges) {
                 [](const BrokenRange& range) { return range.before_first && range.beyond_last; });
 }
 
-/// The ranges of u (axis 0) or v (axis 1), halved down to neighbouring doubles or to 0 but for
-/// rounding, in which operations on it alone break: along lines of constant u or v. None if there
-/// are too many. A range takes the operations on one parameter, not the whole formula.
+/// The ranges of u (axis 0) or v (axis 1) in which operations on it alone break: along lines of
+/// constant u or v. They are halved until their ends are neighbouring doubles, or all of them is 0
+/// but for rounding. None if there are too many. A range takes the operations on one parameter, not
+/// the whole formula.
 std::vector<BrokenRange> broken_ranges(SurfaceEnclosure& enclosure, const ParameterBox& domain,
                                        int axis) {
   BoxSubdivision<BrokenRange> search(std::vector{BrokenRange{domain.low[axis], domain.high[axis]}});
-  const double zero = kRounding * domain.size()[axis];
+  const double zero = kRounding * domain.high[axis] - kRounding * domain.low[axis];
   while (!std::ranges::all_of(search.open(), &BrokenRange::is_least)) {
     search.test([&](const BrokenRange& range) {
       const bool is_broken =

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "base/error.h"
 #include "mesh/model/pair_table.h"
@@ -134,6 +136,14 @@ class Face {
 };
 
 }  // namespace
+
+bool is_along_face(const Bounds& clip, const dvec3& from, const dvec3& to) {
+  const double near = kNearly * glm::distance(from, to);
+  const dvec3 low = glm::min(from, to);
+  const dvec3 high = glm::max(from, to);
+  return glm::any(glm::lessThanEqual(high, clip.low + near)) ||
+         glm::any(glm::greaterThanEqual(low, clip.high - near));
+}
 
 bool reach_outside(const std::optional<Bounds>& clip, const Mesh& mesh,
                    std::span<const Triangle> triangles) {

@@ -30,6 +30,9 @@ inline bool is_seen(const std::optional<Bounds>& clip, const dvec3& position) {
   return is_finite(position) && (!clip || clip->contains(position));
 }
 
+/// Whether a chord lies along a face of a clip box but for rounding, or beyond it.
+bool is_along_face(const Bounds& clip, const dvec3& from, const dvec3& to);
+
 /// The distance of a position from a clip box: 0 within it.
 inline double distance_beyond(const Bounds& clip, const dvec3& position) {
   return glm::distance(position, glm::clamp(position, clip.low, clip.high));

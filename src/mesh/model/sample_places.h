@@ -1,4 +1,5 @@
-// Places on a line and directions around a place at which several units of the mesher look.
+// Places on a line and in a box, and directions around a place, at which several units of the
+// mesher look.
 #pragma once
 
 #include <array>
@@ -17,7 +18,8 @@ inline constexpr std::array kAlongLine = {0.25, 0.5, 0.75};
 /// These and both ends.
 inline constexpr std::array kAllAlongLine = {0.0, 0.25, 0.5, 0.75, 1.0};
 
-/// In a leaf or a box, in its sides: the middle, and places apart from its lines of symmetry.
+/// In a leaf or a box, in parts of its sides: the middle, and places apart from its lines of
+/// symmetry.
 inline constexpr std::array kPlacesInBox = {dvec2(0.5, 0.5), dvec2(0.3, 0.2), dvec2(0.8, 0.3),
                                             dvec2(0.7, 0.8), dvec2(0.2, 0.7)};
 

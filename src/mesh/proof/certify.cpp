@@ -302,8 +302,8 @@ class Certifier {
 
   /// Puts a part on the list of boxes whose points are measured, if its bounds are narrow enough.
   bool measure_later(const Part& part, double tolerance, const BoxBounds& bounds) {
-    // A box in which the surface may be undefined or jump is no longer than two tolerances, so that
-    // a hole in it is one deep, and a mesh across a jump one off.
+    // A box in which the surface may be undefined or jump is no longer than two tolerances. A hole
+    // in it is at most one tolerance deep, and a mesh across a jump at most one off.
     const double allowed = bounds.broken ? tolerance : kReach * tolerance;
     const dvec2 size = part.box.size();
     const dvec2 bend(bounds.bend.x, bounds.bend.z);

@@ -37,7 +37,7 @@ struct BoundedBox {
   double reach;
   dvec2 bend;                     ///< bounds of |r_uu| and |r_vv|
   std::optional<dvec3> centre{};  ///< in place of the corners: of a sphere of radius `reach`
-  bool may_jump = false;          ///< the surface may, from one value in the sphere to another
+  bool may_jump = false;  ///< within the sphere; not set where the surface may be undefined, too
 };
 
 /// Measures points of bounded boxes. Proved: the surface in the box is within kProofFactor

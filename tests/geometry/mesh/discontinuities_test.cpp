@@ -143,6 +143,15 @@ TEST(JumpSearch, FindsOnePoleWhereRoundingMakesMore) {
   }
 }
 
+TEST(JumpSearch, TellsPolesApartWhereTheOtherParameterIsLarge) {
+  const Surface poles = height_field("1e-9/((u-0.31)*(u-0.33))", {0, 1, 0, 2e8});
+  for (const double v : {0.3, 1e8}) {
+    const Line line = {dvec2(0.3, v), dvec2(0.37, v)};
+    std::size_t work = 0;
+    EXPECT_TRUE(find_discontinuities(poles, std::span(&line, 1), 0.001, 1, work)[0].between) << v;
+  }
+}
+
 TEST(JumpSearch, FindsAllJumpsOfALineAtOnce) {
   const Surface steps = height_field(kThreeSteps, {-1, 2, -1, 1});
   for (const Line& line :

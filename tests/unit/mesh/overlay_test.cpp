@@ -64,6 +64,7 @@ TEST(IsOver, HoldsForNoTriangleWithoutArea) {
   const Grid grid = folded_square(0);
   const std::array<dvec3, 3> line = {dvec3(0.1, 0.1, 0), dvec3(0.2, 0.2, 0), dvec3(0.3, 0.3, 0)};
   EXPECT_FALSE(is_over({line[0], line[0], line[0]}, grid, kSquare, 1));
+  EXPECT_FALSE(is_over(line, grid, kSquare, 1));
   EXPECT_FALSE(is_over({line[0], line[1], line[2]}, grid, {}, 1));
 }
 
