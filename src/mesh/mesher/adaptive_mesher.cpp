@@ -405,11 +405,11 @@ bool AdaptiveMesher::is_small(const Leaf& leaf) const {
   return halvings_of_root(leaf) >= kBoundaryHalvings && direction_.is_too_small_to_see(leaf);
 }
 
-/// Whether a smallest leaf reaches from one side of the clip box to the other, and no pole is known
-/// to cut it: where a jump crosses the pole's line, its triangles are walls.
+/// Whether a leaf that cannot be halved reaches from one face of the clip box to the opposite one,
+/// and no pole is known to cut it. Where a jump crosses a pole's line, its triangles are walls.
 bool AdaptiveMesher::is_wall_beside_pole(const Leaf& leaf) const {
   if (!request_.clip || leaf.size_u() > 1 || leaf.size_v() > 1) return false;
-  if (has_cut(FeatureKind::Face, leaf, tree_)) return false;
+  if (leaf.state.is_left_out() || has_cut(FeatureKind::Face, leaf, tree_)) return false;
   Bounds around;
   for (const dvec3& p : corner_positions(leaf, tree_)) around.add(p);
   return glm::any(glm::lessThan(around.low, request_.clip->low) &&
