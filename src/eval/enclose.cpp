@@ -135,12 +135,13 @@ void Enclosure::keep_needed_steps() {
 
 /// Finds products such as sign(x)*abs(x)^3. They do not jump, though one of their factors does.
 void Enclosure::find_joined_signs() {
-  const auto is_sign = [](const Step& step) { return step.op == Op::Sign; };
-  if (std::ranges::none_of(of_u_.steps, is_sign) && std::ranges::none_of(of_v_.steps, is_sign) &&
-      std::ranges::none_of(of_both_, is_sign))
-    return;
+  const std::array<std::vector<Step>*, 3> all = {&of_u_.steps, &of_v_.steps, &of_both_};
+  const auto has_sign = [](const auto* steps) {
+    return std::ranges::count(*steps, Op::Sign, &Step::op) > 0;
+  };
+  if (std::ranges::none_of(all, has_sign)) return;
   ValuesOfSlots values(slots_);
-  for (std::vector<Step>* const steps : {&of_u_.steps, &of_v_.steps, &of_both_}) {
+  for (std::vector<Step>* const steps : all) {
     for (Step& step : *steps) {
       if (step.op == Op::Mul && values.is_sign_of(step.in[1], step.in[0]))
         std::swap(step.in[0], step.in[1]);

@@ -19,8 +19,8 @@ namespace {
 /// The corners of the rectangles of a box, u inner. A box with a sphere has places inside if the
 /// surface may jump there: most jumps have some of them on either side.
 void append_points(const BoundedBox& box, std::vector<dvec2>& uv) {
-  if (box.centre && !box.may_jump) return;
   if (box.centre) {
+    if (!box.may_jump) return;
     for (const dvec2& place : kPlacesInBox)
       uv.push_back(glm::mix(box.box.low, box.box.high, place));
     return;
@@ -34,11 +34,6 @@ void append_points(const BoundedBox& box, std::vector<dvec2>& uv) {
       uv.push_back((1.0 - at) * box.box.low + at * box.box.high);
     }
   }
-}
-
-std::size_t count_points(const BoundedBox& box) {
-  if (box.centre) return box.may_jump ? kPlacesInBox.size() : 0;
-  return std::size_t{box.cells[0] + 1} * (box.cells[1] + 1);
 }
 
 /// Two triangles with a common side: the numbers of the corners that are not on it.
@@ -108,16 +103,18 @@ BoxMeasure::BoxMeasure(const Surface& surface, const Grid& grid, const Patches& 
 
 std::vector<ProofOutcome> BoxMeasure::operator()(std::span<const BoundedBox> boxes) {
   std::vector<dvec2> uv;
-  for (const BoundedBox& box : boxes) append_points(box, uv);
+  std::vector<std::size_t> first = {0};  // the first point of each box, and the end of all
+  for (const BoundedBox& box : boxes) {
+    append_points(box, uv);
+    first.push_back(uv.size());
+  }
   const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);
   std::vector<ProofOutcome> outcomes;
   outcomes.reserve(boxes.size());
-  std::size_t first = 0;
-  for (const BoundedBox& box : boxes) {
-    const std::size_t count = count_points(box);
-    outcomes.push_back(
-        measure(box, std::span(uv).subspan(first, count), std::span(points).subspan(first, count)));
-    first += count;
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    const std::size_t count = first[k + 1] - first[k];
+    outcomes.push_back(measure(boxes[k], std::span(uv).subspan(first[k], count),
+                               std::span(points).subspan(first[k], count)));
   }
   return outcomes;
 }

@@ -89,8 +89,8 @@ Line between(const Line& a, const Line& b, const Line& line) {
 }
 
 /// Discontinuities this near are one. Rounding makes false poles beside a true one: where it moves
-/// a parameter by e, values change by more than the tolerance up to a distance of about sqrt(e),
-/// times that of the square root of the line's length.
+/// a parameter by e, values change by more than the tolerance as far from the pole as about the
+/// square root of e times the line's length.
 double same_of(const Line& line, bool are_poles) {
   const double length = length_of(line);
   double rounding = 0;
