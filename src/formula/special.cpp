@@ -30,10 +30,11 @@ long double power(long double base, int n) {
   return product;
 }
 
-/// The asymptotic series of polygamma is good from n + 20 on.
+/// The asymptotic series of polygamma is good from n + 20 on, that of digamma from 10 on.
 constexpr int kSeriesFrom = 20;
+constexpr int kDigammaFrom = 10;
 
-/// The asymptotic series of polygamma, for x that is large compared with n.
+/// The asymptotic series of polygamma for n > 0 and x that is large compared with n.
 long double polygamma_series(int n, long double x) {
   // B_2k for k = 1 ... 10: at x >= n + 20 the first term left out is below half an ULP.
   static constexpr std::array<long double, 10> kBernoulli = {
@@ -41,13 +42,12 @@ long double polygamma_series(int n, long double x) {
       -691.0L / 2730, 7.0L / 6,   -3617.0L / 510, 43867.0L / 798, -174611.0L / 330};
   const long double inverse = 1 / x;
   long double scale = power(inverse, n);  // x^-(n+2k)
-  long double sum = n == 0 ? -std::log(x) : factorial(n - 1) * scale;
+  long double sum = factorial(n - 1) * scale;
   sum += factorial(n) * scale * inverse / 2;
   for (int k = 1; k <= static_cast<int>(kBernoulli.size()); ++k) {
     // (2k+n-1)! / (2k)! as a product: the factorials alone overflow.
     long double ratio = 1;
     for (int i = 2 * k + 1; i <= 2 * k + n - 1; ++i) ratio *= i;
-    if (n == 0) ratio = 1.0L / (2 * k);
     scale *= inverse * inverse;
     sum += kBernoulli[k - 1] * ratio * scale;
   }
@@ -80,16 +80,29 @@ long double cotangent_derivative(int n, double x) {
   return power(kPi, n + 1) * value;
 }
 
+/// The asymptotic series of digamma.
+long double digamma_series(long double x) {
+  // B_2k / 2k for k = 1 ... 10: at x >= 10 the first term left out is 3e-20.
+  static constexpr std::array<long double, 10> kOver2k = {
+      1.0L / 12,        -1.0L / 120, 1.0L / 252,      -1.0L / 240,      1.0L / 132,
+      -691.0L / 32'760, 1.0L / 12,   -3617.0L / 8160, 43867.0L / 14364, -174611.0L / 6600};
+  const long double inverse = 1 / x;
+  const long double square = inverse * inverse;
+  long double sum = 0;
+  for (std::size_t k = kOver2k.size(); k-- > 0;) sum = (sum + kOver2k[k]) * square;
+  return std::log(x) - inverse / 2 - sum;
+}
+
 /// For x > 0. The terms of the recurrence are one fraction: a division takes as long as 20
 /// products.
 long double digamma_right(long double x) {
   long double over = 0;
   long double under = 1;
-  for (; x < kSeriesFrom; x += 1) {
+  for (; x < kDigammaFrom; x += 1) {
     over = over * x + under;
     under *= x;
   }
-  return polygamma_series(0, x) - over / under;
+  return digamma_series(x) - over / under;
 }
 
 /// For x > 0.
