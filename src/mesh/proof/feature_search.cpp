@@ -105,7 +105,7 @@ void FeatureSearch::keep(const Node& node) {
   std::ranges::push_heap(open_, std::ranges::less(), &Node::bound);
 }
 
-std::vector<double> FeatureSearch::measure(std::span<const Sample> samples) const {
+std::vector<double> FeatureSearch::distances_of(std::span<const Sample> samples) const {
   std::vector<dvec2> uv(samples.size());
   std::ranges::transform(samples, uv.begin(), &Sample::uv);
   const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);
@@ -117,6 +117,24 @@ std::vector<double> FeatureSearch::measure(std::span<const Sample> samples) cons
     const double known = sample.known / sample.part->scale;
     result[k] = sample.part->scale * distance_(*sample.part, sample.uv, p, known);
   }
+  return result;
+}
+
+/// On a line the surface may have a value of its own, as sign(u) has at 0: the smaller distance of
+/// a sample and of a place beside it counts.
+std::vector<double> FeatureSearch::measure(std::span<const Sample> samples) const {
+  std::vector<double> result = distances_of(samples);
+  std::vector<std::size_t> farther;  // numbers of samples
+  std::vector<Sample> beside;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (!(result[k] > samples[k].known)) continue;
+    farther.push_back(k);
+    beside.push_back(samples[k]);
+    beside.back().uv = glm::mix(samples[k].uv, samples[k].part->box.middle(), kNearly);
+  }
+  const std::vector<double> found = distances_of(beside);
+  for (std::size_t i = 0; i < farther.size(); ++i)
+    result[farther[i]] = std::min(result[farther[i]], found[i]);
   return result;
 }
 

@@ -92,6 +92,7 @@ class FeatureSearch {
   double bound_over(const SearchedPart& part, const ParameterBox& box);
   std::array<Node, 2> halves(const Node& node);
   void keep(const Node& node);
+  std::vector<double> distances_of(std::span<const Sample> samples) const;
   std::vector<double> measure(std::span<const Sample> samples) const;
   double limit() const;
 
