@@ -16,6 +16,7 @@
 #include "mesh/mesher/halve.h"
 #include "mesh/mesher/halving_limits.h"
 #include "mesh/mesher/solve_inner_vertices.h"
+#include "mesh/mesher/walls.h"
 #include "mesh/sizing/effort.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/feature_count.h"
@@ -169,6 +170,7 @@ ActiveLeaves AdaptiveMesher::next_active() {
 
 LeafTriangles& AdaptiveMesher::triangulate(MeshReport& report) {
   validation_.triangulate(report);
+  if (request_.clip) remove_walls(surface_, *request_.clip, grid_.mesh, request_.threads, mesh_);
   if (has_shared_chords_ || seams_.has_folds()) flip_shared_chords(grid_, mesh_.triangles);
   return mesh_.triangles;
 }

@@ -158,6 +158,15 @@ std::size_t LeafTriangles::expected() const {
   return sum;
 }
 
+void LeafTriangles::remove(std::size_t leaf, const Triangle& triangle) {
+  Range& range = ranges[leaf];
+  const auto own = std::span(all).subspan(range.first, range.count);
+  const auto removed = std::ranges::find(own, triangle);
+  std::rotate(removed, removed + 1, own.end());
+  --range.count;
+  range.is_plain = false;
+}
+
 LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const std::size_t> which,
                                  const SingularCorners& singular, const Grid& grid,
                                  const CellTree& tree) {

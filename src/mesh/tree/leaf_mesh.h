@@ -35,6 +35,8 @@ struct LeafTriangles {
     return std::span(all).subspan(ranges[k].first, ranges[k].count);
   }
   std::size_t expected() const;
+  /// Takes a triangle from its leaf's; it stays in `all`.
+  void remove(std::size_t leaf, const Triangle& triangle);
 };
 
 /// Triangulates the cell polygons of the leaves `which`, in that order.
