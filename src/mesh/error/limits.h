@@ -10,7 +10,7 @@
 
 #include "base/bounds.h"
 #include "mesh/model/tolerance.h"
-#include "mesh/tree/triangle_limit.h"
+#include "mesh/tree/triangle_budget.h"
 
 namespace saddle {
 

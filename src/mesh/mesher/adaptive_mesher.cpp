@@ -13,7 +13,6 @@
 #include "mesh/mesher/edge_features.h"
 #include "mesh/mesher/envelope.h"
 #include "mesh/mesher/follow_features.h"
-#include "mesh/mesher/halve.h"
 #include "mesh/mesher/halving_limits.h"
 #include "mesh/mesher/solve_inner_vertices.h"
 #include "mesh/mesher/walls.h"
@@ -21,6 +20,7 @@
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/feature_count.h"
 #include "mesh/tree/flip.h"
+#include "mesh/tree/halve.h"
 #include "mesh/tree/leaf_border.h"
 
 namespace saddle {

@@ -1,4 +1,4 @@
-#include "mesh/mesher/halve.h"
+#include "mesh/tree/halve.h"
 
 #include "mesh/grid/grid.h"
 #include "mesh/tree/cell_polygon.h"
