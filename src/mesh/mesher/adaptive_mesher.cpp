@@ -170,7 +170,8 @@ ActiveLeaves AdaptiveMesher::next_active() {
 
 LeafTriangles& AdaptiveMesher::triangulate(MeshReport& report) {
   validation_.triangulate(report);
-  if (request_.clip) remove_walls(surface_, *request_.clip, grid_.mesh, request_.threads, mesh_);
+  if (request_.clip && tree_.edges().has_jumps())
+    remove_walls(surface_, *request_.clip, grid_.mesh, request_.threads, mesh_);
   if (has_shared_chords_ || seams_.has_folds()) flip_shared_chords(grid_, mesh_.triangles);
   return mesh_.triangles;
 }

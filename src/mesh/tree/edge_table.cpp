@@ -47,6 +47,7 @@ void EdgeTable::set_feature(std::uint32_t a, std::uint32_t b, std::optional<Edge
   if (!edge.is_halved) vertex_count_ += feature->count_new_vertices();
   has_features_ = true;
   has_pole_features_ = has_pole_features_ || feature->kind == FeatureKind::Pole;
+  has_jumps_ = has_jumps_ || feature->kind == FeatureKind::Jump;
   vertices_.mark_beside_feature(a);
   vertices_.mark_beside_feature(b);
   effort_.add_discontinuities(1);

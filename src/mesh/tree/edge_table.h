@@ -189,6 +189,7 @@ class EdgeTable {
   /// Files a pole beyond a FeatureKind::Face.
   void add_pole_beyond_face(const PoleEnds& ends) { poles_beyond_faces_.push_back(ends); }
   bool has_poles() const { return has_pole_features_ || !poles_.empty(); }
+  bool has_jumps() const { return has_jumps_; }
   /// The ends of all poles, found or cut, in the order in which they were found.
   std::vector<PoleEnds> poles(const Mesh& mesh) const;
 
@@ -253,6 +254,7 @@ class EdgeTable {
   bool has_features_ = false;
   bool has_seams_ = false;
   bool has_pole_features_ = false;
+  bool has_jumps_ = false;
 };
 
 }  // namespace saddle

@@ -205,6 +205,22 @@ TEST(Clip, FollowsPolesAtZeroToTheLeastOfDoubles) {
   }
 }
 
+/// Where a jump crosses a pole, the surface is beyond one face of the box on one side, and beyond
+/// the opposite one on the other.
+TEST(Clip, HasNoWallsWhereAJumpCrossesAPole) {
+  for (const char* z : {"sign(u-v)/(u+.2*v-.1)", "sign(u-.7*v)*tan(4*u+3*v)",
+                        "sign(u-.7*v)/(u*u+v*v-.17)", "1/(mod(u,.5)-v)"}) {
+    const Mesh mesh = clipped(height_field(z), {dvec3(-1, -1, -4), dvec3(1, 1, 4)}).mesh;
+    for (const Triangle& t : mesh.triangles) {
+      Bounds around;
+      for (const std::uint32_t corner : t) around.add(mesh.position[corner]);
+      // As steep sheets are, wider ones are not.
+      EXPECT_FALSE(around.size().z > 4 && around.size().x < 1e-3 && around.size().y < 1e-3)
+          << z << " at " << around.low.x << ' ' << around.low.y;
+    }
+  }
+}
+
 /// A cell along a pole, between dense lines, is no area full of waves.
 TEST(Clip, FindsNoOscillationAlongAPole) {
   MeshRequest options = within_length(0.0116);
