@@ -157,6 +157,7 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
   const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
   const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
   const CellTriangles by_sides(triangles);
+  std::vector<Triangle> turning;
   for (std::uint32_t k = 0; k < triangles.size(); ++k) {
     const Triangle& t = triangles[k];
     // Chords are measured from the sheets on either side of a cliff.
@@ -173,6 +174,7 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
     });
     for (const auto& [a, b, opposite, outward] : sides) {
       if (!is_jump) beyond_.add({low, low + size}, number, triangles, {a, b, opposite}, allowed);
+      turning.push_back({a, b, opposite});
       for (const double share : places) {
         const dvec2 at = glm::mix(place(a), place(b), share);
         // A jump is looked for from a corner, which is on the sheet, through the place.
@@ -195,6 +197,9 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
       }
     }
   }
+  // Waves have more chords, whose turns say nothing.
+  if (is_cliff || turning.size() > 2) return;
+  for (const Triangle& chord : turning) turns_.add_chord(number, triangles, chord, allowed);
 }
 
 /// A place in the next leaf, on a way that leaves a leaf at its border. None where the sheet has a
@@ -229,7 +234,8 @@ std::vector<LeafDistance> BoundaryDistance::measure() {
   std::ranges::copy(beyond_.measure(), std::back_inserter(found));
   if (!jumps_.empty()) measure_jumps(found);
   std::ranges::copy(close_jumps_.measure(delta_), std::back_inserter(found));
-  evaluations_ += close_jumps_.evaluations();
+  std::ranges::copy(turns_.measure(delta_), std::back_inserter(found));
+  evaluations_ += close_jumps_.evaluations() + turns_.evaluations();
   looks_ += beyond_.looks() + close_jumps_.looks();
   if (!omitted_.empty()) measure_omitted(found);
   return found;

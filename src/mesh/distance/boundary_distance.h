@@ -10,6 +10,7 @@
 
 #include "mesh/distance/beyond_chords.h"
 #include "mesh/distance/close_jump_distance.h"
+#include "mesh/distance/edge_turns.h"
 #include "mesh/distance/strip_distance.h"
 #include "mesh/features/sheet_ends.h"
 #include "mesh/grid/grid.h"
@@ -34,7 +35,8 @@ class BoundaryDistance {
         threads_(threads),
         strips_(surface, grid, tree, clip, threads),
         beyond_(surface, grid, clip, threads),
-        close_jumps_(surface, grid, tree, threads) {}
+        close_jumps_(surface, grid, tree, threads),
+        turns_(surface, grid, clip, threads) {}
 
   /// Adds a leaf with its triangles, which must outlive this, and its tolerance. Skips leaves
   /// without a boundary or a jump, those that lead to a pole, and those that cross the clip box
@@ -114,6 +116,7 @@ class BoundaryDistance {
   StripDistance strips_;
   BeyondChords beyond_;
   CloseJumpDistance close_jumps_;
+  EdgeTurns turns_;
   std::vector<EdgeChord> chords_;  ///< of boundaries
   std::vector<EdgeChord> jumps_;
   double delta_ = std::numeric_limits<double>::infinity();  ///< a smaller gap is no jump

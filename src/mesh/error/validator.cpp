@@ -7,8 +7,10 @@
 
 #include <glm/common.hpp>
 
+#include "base/numbers.h"
 #include "mesh/distance/boundary_distance.h"
 #include "mesh/distance/crease_distance.h"
+#include "mesh/distance/edge_turns.h"
 #include "mesh/error/distance_maximizer.h"
 #include "mesh/error/face_distance.h"
 #include "mesh/error/sharp_bends.h"
@@ -204,7 +206,7 @@ void Validator::validate_one_by_one(ValidatedMesh& mesh, std::span<const std::si
     const Seen seen = seen_at(clip_, grid_, of_leaf, place, points[s].position);
     if (!seen.surface && !seen.triangles) continue;
     SampledError d =
-        crease ? SampledError{distance_from_chord(grid_, *crease, points[s].position), 0, true}
+        crease ? SampledError{distance_from_line(grid_, *crease, points[s].position), 0, true}
                : sampled_error_of(leaf, of_leaf, place, points[s], worst.distance);
     // Triangles clipped there may be near the surface elsewhere.
     if (!seen.triangles && !crease) {
@@ -368,6 +370,12 @@ void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
   validate_beside_creases(mesh, which, triangles, others);
   validate_across_faces(mesh, which, triangles);
   for (const std::size_t k : others) validate_omitted_corners(mesh, which[k], triangles.of(k));
+  EdgeTurns edges(surface_, grid_, clip_, threads_);
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    if (mesh.is_near(which[k])) edges.add_sides(which[k], triangles.of(k), mesh.allowed[which[k]]);
+  }
+  for (const LeafDistance& at : edges.measure(kInfinity)) mesh.add(at.leaf, at.distance, at.uv);
+  evaluations_ += edges.evaluations();
   BoundaryDistance boundaries(surface_, grid_, tree_, clip_, threads_);
   for (const std::size_t k : others)
     boundaries.add(mesh.leaves[which[k]], which[k], triangles.of(k), mesh.allowed[which[k]]);

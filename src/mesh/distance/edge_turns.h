@@ -1,0 +1,73 @@
+// Parts of a surface that stick out of its mesh at an edge: of the domain, a rim or a jump. Where
+// the surface turns back along an edge, as at the top of a wave, it rises beyond the end of a
+// chord. There it may be no farther from the chord's line, nor from the plane of its triangle, than
+// the tolerance, but no triangles go on beyond an edge.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/distance/strip_distance.h"
+#include "mesh/grid/grid.h"
+#include "mesh/proof/continuity.h"
+#include "surface/surface.h"
+
+namespace saddle {
+
+class EdgeTurns {
+ public:
+  /// Places outside of `clip`, which must outlive this, have no distance.
+  EdgeTurns(const Surface& surface, const Grid& grid, const std::optional<Bounds>& clip,
+            unsigned threads)
+      : surface_(surface), grid_(grid), clip_(clip), threads_(threads) {}
+
+  /// Adds the sides of a leaf's triangles that are on the edge of the domain. The triangles must
+  /// outlive this. `allowed`: smaller distances do not matter.
+  void add_sides(std::size_t leaf, std::span<const Triangle> triangles, double allowed);
+  /// Adds a chord of a rim or a jump: a side of one of a leaf's triangles, and the corner opposite.
+  /// The triangles must outlive this. Skips chords along faces of the clip box.
+  void add_chord(std::size_t leaf, std::span<const Triangle> triangles,
+                 const std::array<std::uint32_t, 3>& corners, double allowed);
+
+  /// Larger distances than allowed, of places that are farthest beyond the ends of chords. A gap of
+  /// less than `delta` is no jump.
+  std::vector<LeafDistance> measure(double delta);
+
+  std::size_t evaluations() const { return evaluations_; }
+
+ private:
+  /// A chord, from one of its ends.
+  struct Chord {
+    std::size_t leaf;
+    std::span<const Triangle> triangles;
+    double allowed;
+    std::array<std::uint32_t, 2> ends;
+    std::optional<std::uint32_t> opposite;  ///< the triangle's corner; none on the domain's edge
+    dvec2 turn = dvec2(0);                  ///< where the surface turns back
+  };
+  Line line_of(const Chord& chord) const {
+    return {grid_.mesh.uv[chord.ends[0]], grid_.mesh.uv[chord.ends[1]]};
+  }
+  dvec3 along(const Chord& chord) const {
+    return grid_.mesh.position[chord.ends[1]] - grid_.mesh.position[chord.ends[0]];
+  }
+  bool goes_back(const Chord& chord, const SurfacePoint& point) const;
+  void keep_turning();
+  void find_turns();
+  void keep_far();
+  std::vector<dvec3> positions();
+  void move_to_ends_of_sheets(double delta);
+
+  const Surface& surface_;
+  const Grid& grid_;
+  const std::optional<Bounds>& clip_;
+  unsigned threads_;
+  std::vector<Chord> chords_;
+  std::size_t evaluations_ = 0;
+};
+
+}  // namespace saddle
