@@ -157,7 +157,7 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
   const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
   const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
   const CellTriangles by_sides(triangles);
-  std::vector<Triangle> turning;
+  std::vector<std::array<std::uint32_t, 3>> turning;
   for (std::uint32_t k = 0; k < triangles.size(); ++k) {
     const Triangle& t = triangles[k];
     // Chords are measured from the sheets on either side of a cliff.
@@ -197,9 +197,7 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
       }
     }
   }
-  // Waves have more chords, whose turns say nothing.
-  if (is_cliff || turning.size() > 2) return;
-  for (const Triangle& chord : turning) turns_.add_chord(number, triangles, chord, allowed);
+  turns_.add_chords(number, triangles, turning, allowed);
 }
 
 /// A place in the next leaf, on a way that leaves a leaf at its border. None where the sheet has a

@@ -41,13 +41,15 @@ void EdgeTurns::add_sides(std::size_t leaf, std::span<const Triangle> triangles,
   }
 }
 
-void EdgeTurns::add_chord(std::size_t leaf, std::span<const Triangle> triangles,
-                          const std::array<std::uint32_t, 3>& corners, double allowed) {
-  const auto& [a, b, opposite] = corners;
+void EdgeTurns::add_chords(std::size_t leaf, std::span<const Triangle> triangles,
+                           std::span<const std::array<std::uint32_t, 3>> corners, double allowed) {
+  if (corners.size() > 2) return;
   const auto& position = grid_.mesh.position;
-  if (clip_ && is_along_face(*clip_, position[a], position[b])) return;
-  chords_.push_back({leaf, triangles, allowed, {a, b}, opposite});
-  chords_.push_back({leaf, triangles, allowed, {b, a}, opposite});
+  for (const auto& [a, b, opposite] : corners) {
+    if (clip_ && is_along_face(*clip_, position[a], position[b])) continue;
+    chords_.push_back({leaf, triangles, allowed, {a, b}, opposite});
+    chords_.push_back({leaf, triangles, allowed, {b, a}, opposite});
+  }
 }
 
 /// Whether the surface goes back at a point on the way along a chord.

@@ -28,10 +28,11 @@ class EdgeTurns {
   /// Adds the sides of a leaf's triangles that are on the edge of the domain. The triangles must
   /// outlive this. `allowed`: smaller distances do not matter.
   void add_sides(std::size_t leaf, std::span<const Triangle> triangles, double allowed);
-  /// Adds a chord of a rim or a jump: a side of one of a leaf's triangles, and the corner opposite.
-  /// The triangles must outlive this. Skips chords along faces of the clip box.
-  void add_chord(std::size_t leaf, std::span<const Triangle> triangles,
-                 const std::array<std::uint32_t, 3>& corners, double allowed);
+  /// Adds the chords of a rim or a jump: the ends of sides of a leaf's triangles, with the corners
+  /// opposite. The triangles must outlive this. Skips chords along faces of the clip box, and more
+  /// than the two that a line has: turns say nothing of waves.
+  void add_chords(std::size_t leaf, std::span<const Triangle> triangles,
+                  std::span<const std::array<std::uint32_t, 3>> corners, double allowed);
 
   /// Larger distances than allowed, of places that are farthest beyond the ends of chords. A gap of
   /// less than `delta` is no jump.
