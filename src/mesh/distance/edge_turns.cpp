@@ -9,6 +9,7 @@
 #include "mesh/features/bisect_together.h"
 #include "mesh/features/sheet_ends.h"
 #include "mesh/model/clip.h"
+#include "mesh/model/segment.h"
 #include "mesh/model/tolerances.h"
 #include "surface/parameter_box.h"
 
@@ -35,8 +36,8 @@ void EdgeTurns::add_sides(std::size_t leaf, std::span<const Triangle> triangles,
       const std::uint32_t a = t[k];
       const std::uint32_t b = t[(k + 1) % 3];
       if (!is_on_edge({uv[a], uv[b]}, domain)) continue;
-      chords_.push_back({leaf, triangles, allowed, {a, b}, std::nullopt});
-      chords_.push_back({leaf, triangles, allowed, {b, a}, std::nullopt});
+      sides_.push_back({leaf, triangles, allowed, {a, b}, std::nullopt});
+      sides_.push_back({leaf, triangles, allowed, {b, a}, std::nullopt});
     }
   }
 }
@@ -47,26 +48,26 @@ void EdgeTurns::add_chords(std::size_t leaf, std::span<const Triangle> triangles
   const auto& position = grid_.mesh.position;
   for (const auto& [a, b, opposite] : corners) {
     if (clip_ && is_along_face(*clip_, position[a], position[b])) continue;
-    chords_.push_back({leaf, triangles, allowed, {a, b}, opposite});
-    chords_.push_back({leaf, triangles, allowed, {b, a}, opposite});
+    sides_.push_back({leaf, triangles, allowed, {a, b}, opposite});
+    sides_.push_back({leaf, triangles, allowed, {b, a}, opposite});
   }
 }
 
-/// Whether the surface goes back at a point on the way along a chord.
-bool EdgeTurns::goes_back(const Chord& chord, const SurfacePoint& point) const {
-  const Line line = line_of(chord);
+/// Whether the surface goes against the direction of a chord at a point on the way along it.
+bool EdgeTurns::goes_back(const Side& side, const SurfacePoint& point) const {
+  const Line line = line_of(side);
   const dvec2 way = line[1] - line[0];
-  return glm::dot(way.x * point.r_u + way.y * point.r_v, along(chord)) < 0;
+  return glm::dot(way.x * point.r_u + way.y * point.r_v, along(side)) < 0;
 }
 
-/// Keeps the chords beyond whose end the surface goes.
+/// Keeps the chords beyond whose first end the surface goes.
 void EdgeTurns::keep_turning() {
   std::vector<dvec2> uv;
-  for (const Chord& chord : chords_) uv.push_back(line_of(chord)[0]);
+  for (const Side& side : sides_) uv.push_back(line_of(side)[0]);
   const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
   evaluations_ += uv.size();
-  std::erase_if(chords_, [&](const Chord& chord) {
-    return !goes_back(chord, points[static_cast<std::size_t>(&chord - chords_.data())]);
+  std::erase_if(sides_, [&](const Side& side) {
+    return !goes_back(side, points[static_cast<std::size_t>(&side - sides_.data())]);
   });
 }
 
@@ -74,40 +75,42 @@ void EdgeTurns::keep_turning() {
 /// little inside.
 void EdgeTurns::find_turns() {
   struct Search {
-    const Chord* chord;
+    const Side* side;
     Line left;
   };
   std::vector<Search> searches;
-  for (const Chord& chord : chords_) {
-    Line line = line_of(chord);
-    if (chord.opposite) {
-      for (dvec2& end : line) end = glm::mix(end, grid_.mesh.uv[*chord.opposite], kNearly);
+  for (const Side& side : sides_) {
+    Line line = line_of(side);
+    if (side.opposite) {
+      for (dvec2& end : line) end = glm::mix(end, grid_.mesh.uv[*side.opposite], kNearly);
     }
-    searches.push_back({&chord, line});
+    searches.push_back({&side, line});
   }
   std::vector<std::size_t> open = all_open(searches.size());
   const auto next = [](const Search& search) { return middle_of(search.left); };
   const auto is_done = [this](Search& search, const dvec2& middle, const SurfacePoint& point) {
     ++evaluations_;
-    search.left[goes_back(*search.chord, point) ? 0 : 1] = middle;
+    search.left[goes_back(*search.side, point) ? 0 : 1] = middle;
     return has_no_middle(search.left);
   };
   bisect_together(surface_, searches, open, {kHalvingsToSight, threads_}, next, is_done);
-  for (std::size_t k = 0; k < chords_.size(); ++k) chords_[k].turn = searches[k].left[0];
+  for (std::size_t k = 0; k < sides_.size(); ++k) sides_[k].turn = searches[k].left[0];
 }
 
 /// Keeps the turns that are farther from their chords than allowed.
 void EdgeTurns::keep_far() {
   const std::vector<dvec3> at = positions();
-  std::erase_if(chords_, [&](const Chord& chord) {
-    const dvec3& position = at[static_cast<std::size_t>(&chord - chords_.data())];
-    return distance_from_chord(grid_, chord.ends, position) <= chord.allowed;
+  std::erase_if(sides_, [&](const Side& side) {
+    const dvec3& turn = at[static_cast<std::size_t>(&side - sides_.data())];
+    const auto& position = grid_.mesh.position;
+    return distance_from_segment(position[side.ends[0]], position[side.ends[1]], turn) <=
+           side.allowed;
   });
 }
 
 std::vector<dvec3> EdgeTurns::positions() {
   std::vector<dvec2> turns;
-  for (const Chord& chord : chords_) turns.push_back(chord.turn);
+  for (const Side& side : sides_) turns.push_back(side.turn);
   evaluations_ += turns.size();
   return evaluate_positions(surface_, turns, threads_);
 }
@@ -115,25 +118,24 @@ std::vector<dvec3> EdgeTurns::positions() {
 /// Moves the turns at rims and jumps to where their sheets end. Drops those whose sheet goes on.
 void EdgeTurns::move_to_ends_of_sheets(double delta) {
   std::vector<Line> ways;
-  for (const Chord& chord : chords_) {
-    if (!chord.opposite) continue;
-    const dvec2& opposite = grid_.mesh.uv[*chord.opposite];
-    ways.push_back(
-        {glm::mix(chord.turn, opposite, kClose), glm::mix(chord.turn, opposite, -kClose)});
+  for (const Side& side : sides_) {
+    if (!side.opposite) continue;
+    const dvec2& opposite = grid_.mesh.uv[*side.opposite];
+    ways.push_back({glm::mix(side.turn, opposite, kClose), glm::mix(side.turn, opposite, -kClose)});
   }
   const auto ends =
       sheet_ends(surface_, ways, {delta, kHalvingsToNearly, clip_}, threads_, evaluations_);
   std::size_t next = 0;
-  std::vector<Chord> kept;
-  for (Chord& chord : chords_) {
-    if (chord.opposite) {
+  std::vector<Side> kept;
+  for (Side& side : sides_) {
+    if (side.opposite) {
       const std::optional<SheetEnd>& end = ends[next++];
       if (!end || end->kind == SheetEnd::Kind::Open) continue;
-      chord.turn = end->uv;
+      side.turn = end->uv;
     }
-    kept.push_back(chord);
+    kept.push_back(side);
   }
-  chords_ = std::move(kept);
+  sides_ = std::move(kept);
 }
 
 std::vector<LeafDistance> EdgeTurns::measure(double delta) {
@@ -143,11 +145,11 @@ std::vector<LeafDistance> EdgeTurns::measure(double delta) {
   move_to_ends_of_sheets(delta);
   const std::vector<dvec3> at = positions();
   std::vector<LeafDistance> found;
-  for (std::size_t k = 0; k < chords_.size(); ++k) {
-    const Chord& chord = chords_[k];
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    const Side& side = sides_[k];
     if (!is_seen(clip_, at[k])) continue;
-    const double distance = distance_from(grid_, chord.triangles, chord.turn, at[k]);
-    found.push_back({chord.leaf, distance, chord.opposite.has_value(), chord.turn});
+    const double distance = distance_from(grid_, side.triangles, side.turn, at[k]);
+    found.push_back({side.leaf, distance, side.opposite.has_value(), side.turn});
   }
   return found;
 }

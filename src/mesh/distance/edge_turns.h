@@ -1,7 +1,6 @@
-// Parts of a surface that stick out of its mesh at an edge: of the domain, a rim or a jump. Where
-// the surface turns back along an edge, as at the top of a wave, it rises beyond the end of a
-// chord. There it may be no farther from the chord's line, nor from the plane of its triangle, than
-// the tolerance, but no triangles go on beyond an edge.
+// Parts of a surface that stick out of its mesh at an edge: of the domain, a rim or a jump. At the
+// top of a wave the surface turns back along its edge, and rises beyond the end of a steep chord.
+// What rises there is near the chord's line, and near the plane of its triangle, but the mesh ends.
 #pragma once
 
 #include <array>
@@ -41,8 +40,8 @@ class EdgeTurns {
   std::size_t evaluations() const { return evaluations_; }
 
  private:
-  /// A chord, from one of its ends.
-  struct Chord {
+  /// A chord, seen from the first of its ends: each is there twice.
+  struct Side {
     std::size_t leaf;
     std::span<const Triangle> triangles;
     double allowed;
@@ -50,13 +49,13 @@ class EdgeTurns {
     std::optional<std::uint32_t> opposite;  ///< the triangle's corner; none on the domain's edge
     dvec2 turn = dvec2(0);                  ///< where the surface turns back
   };
-  Line line_of(const Chord& chord) const {
-    return {grid_.mesh.uv[chord.ends[0]], grid_.mesh.uv[chord.ends[1]]};
+  Line line_of(const Side& side) const {
+    return {grid_.mesh.uv[side.ends[0]], grid_.mesh.uv[side.ends[1]]};
   }
-  dvec3 along(const Chord& chord) const {
-    return grid_.mesh.position[chord.ends[1]] - grid_.mesh.position[chord.ends[0]];
+  dvec3 along(const Side& side) const {
+    return grid_.mesh.position[side.ends[1]] - grid_.mesh.position[side.ends[0]];
   }
-  bool goes_back(const Chord& chord, const SurfacePoint& point) const;
+  bool goes_back(const Side& side, const SurfacePoint& point) const;
   void keep_turning();
   void find_turns();
   void keep_far();
@@ -67,7 +66,7 @@ class EdgeTurns {
   const Grid& grid_;
   const std::optional<Bounds>& clip_;
   unsigned threads_;
-  std::vector<Chord> chords_;
+  std::vector<Side> sides_;
   std::size_t evaluations_ = 0;
 };
 

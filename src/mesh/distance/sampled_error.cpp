@@ -201,20 +201,17 @@ Predicted predict(const Grid& grid, std::span<const Triangle> triangles, const d
           uv + step.to_b * (at[own[1]] - at[own[0]]) + step.to_c * (at[own[2]] - at[own[0]])};
 }
 
-double distance_from_line(const Grid& grid, const Chord& chord, const dvec3& position) {
+double distance_from_line(const Grid& grid, const Chord& chord, const dvec3& p) {
   const dvec3 first = grid.local(chord[0]);
   const dvec3 edge = grid.local(chord[1]) - first;
-  if (edge == dvec3(0) || !is_finite(position)) return 0;
-  const dvec3 off = grid.local_scale * position - first;
-  const dvec3 aside = off - glm::dot(off, edge) / glm::dot(edge, edge) * edge;
-  return glm::length(aside) / grid.local_scale;
+  const dvec3 off = p - first;
+  return glm::length(off - glm::dot(off, edge) / glm::dot(edge, edge) * edge);
 }
 
 double distance_from_chord(const Grid& grid, const Chord& chord, const dvec3& position) {
-  const dvec3 first = grid.local(chord[0]);
-  const dvec3 last = grid.local(chord[1]);
-  if (first == last || !is_finite(position)) return 0;
-  return distance_from_segment(first, last, grid.local_scale * position) / grid.local_scale;
+  const bool has_length = grid.local(chord[0]) != grid.local(chord[1]);
+  if (!has_length || !is_finite(position)) return 0;
+  return distance_from_line(grid, chord, grid.local_scale * position) / grid.local_scale;
 }
 
 double degrees_of_chord(double chord) {

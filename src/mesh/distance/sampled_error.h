@@ -84,10 +84,10 @@ inline double distance_from_triangle(const Grid& grid, const Triangle& triangle,
 
 using Chord = std::array<std::uint32_t, 2>;  ///< from corner to corner
 
-/// The distance of a position from the line through two corners: along the chord is none. 0 if they
-/// are at one place or `position` is not finite.
-double distance_from_line(const Grid& grid, const Chord& chord, const dvec3& position);
-/// The same from the chord: beyond its ends, the distance from them.
+/// The distance of a position, in local units, from the line through two corners: along the chord
+/// is none. Not a number if they are at one place.
+double distance_from_line(const Grid& grid, const Chord& chord, const dvec3& p);
+/// The same in units of length; 0 if they are at one place or `position` is not finite.
 double distance_from_chord(const Grid& grid, const Chord& chord, const dvec3& position);
 
 /// The angle, 0 to 180 degrees, between unit vectors whose difference has this length; the inverse.

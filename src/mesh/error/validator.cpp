@@ -206,7 +206,7 @@ void Validator::validate_one_by_one(ValidatedMesh& mesh, std::span<const std::si
     const Seen seen = seen_at(clip_, grid_, of_leaf, place, points[s].position);
     if (!seen.surface && !seen.triangles) continue;
     SampledError d =
-        crease ? SampledError{distance_from_line(grid_, *crease, points[s].position), 0, true}
+        crease ? SampledError{distance_from_chord(grid_, *crease, points[s].position), 0, true}
                : sampled_error_of(leaf, of_leaf, place, points[s], worst.distance);
     // Triangles clipped there may be near the surface elsewhere.
     if (!seen.triangles && !crease) {

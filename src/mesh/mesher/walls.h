@@ -10,8 +10,8 @@
 namespace saddle {
 
 /// Removes the triangles of small leaves that cross a face of the box where the surface leaps: on
-/// the line from the lowest corner to the highest, it is nowhere about half way. `vertices`: of the
-/// triangles, with their parameters.
+/// the line from the lowest corner to the highest, the surface is nowhere about half way up.
+/// `vertices`: of the triangles, with their parameters.
 void remove_walls(const Surface& surface, const Bounds& clip, const Mesh& vertices,
                   unsigned threads, ValidatedMesh& mesh);
 

@@ -35,7 +35,7 @@ struct LeafTriangles {
     return std::span(all).subspan(ranges[k].first, ranges[k].count);
   }
   std::size_t expected() const;
-  /// Takes a triangle from its leaf's; it stays in `all`.
+  /// Takes a triangle from those of its leaf, which is not complete any more. It stays in `all`.
   void remove(std::size_t leaf, const Triangle& triangle);
 };
 
