@@ -1,6 +1,6 @@
 // Parts of a surface that stick out of its mesh at an edge: of the domain, a rim or a jump. At the
 // top of a wave the surface turns back along its edge, and rises beyond the end of a steep chord.
-// What rises there is near the chord's line, and near the plane of its triangle, but the mesh ends.
+// The part beyond is near the chord's line and the plane of its triangle, but the mesh ends before.
 #pragma once
 
 #include <array>
