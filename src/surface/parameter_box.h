@@ -34,6 +34,15 @@ inline ParameterBox box_of(const Domain& domain) {
   return {{domain.u0, domain.v0}, {domain.u1, domain.v1}};
 }
 
+/// Whether a line of constant u or v is on the edge of a domain.
+inline bool is_on_edge(const std::array<dvec2, 2>& line, const ParameterBox& domain) {
+  const auto is_on_side = [&](int axis) {
+    const double at = line[0][axis];
+    return at == line[1][axis] && (at == domain.low[axis] || at == domain.high[axis]);
+  };
+  return is_on_side(0) || is_on_side(1);
+}
+
 /// The halves of a box along u (axis 0) or v (axis 1), which share its middle line.
 inline std::array<ParameterBox, 2> halves_of(const ParameterBox& box, int axis) {
   std::array<ParameterBox, 2> halves = {box, box};

@@ -15,19 +15,6 @@
 
 namespace saddle {
 
-namespace {
-
-/// Whether a line of constant u or v is on the edge of a domain.
-bool is_on_edge(const Line& line, const ParameterBox& domain) {
-  for (int axis = 0; axis < 2; ++axis) {
-    const double at = line[0][axis];
-    if (at == line[1][axis] && (at == domain.low[axis] || at == domain.high[axis])) return true;
-  }
-  return false;
-}
-
-}  // namespace
-
 void EdgeTurns::add_sides(std::size_t leaf, std::span<const Triangle> triangles, double allowed) {
   const ParameterBox domain = box_of(surface_.domain);
   const auto& uv = grid_.mesh.uv;

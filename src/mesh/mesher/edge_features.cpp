@@ -170,16 +170,6 @@ class FeatureTracer {
     }
   }
 
-  /// Whether a side is of the domain's edge.
-  bool is_on_edge(const Side& side, const ParameterBox& domain) const {
-    const Line ends = line(side);
-    const auto is_edge = [&](int axis) {
-      const double at = ends[0][axis];
-      return at == ends[1][axis] && (at == domain.low[axis] || at == domain.high[axis]);
-    };
-    return is_edge(0) || is_edge(1);
-  }
-
   /// Finds cliffs. Leaves the sides that have none.
   void cut_at_cliffs(std::vector<Side>& sides) {
     if (!tree_.edges().may_have_cliffs()) return;
@@ -189,7 +179,7 @@ class FeatureTracer {
     double delta = std::numeric_limits<double>::infinity();
     for (const Side& side : sides) {
       const auto [a, b] = line(side);
-      const bool is_on_seam = has_seams && is_on_edge(side, domain);
+      const bool is_on_seam = has_seams && is_on_edge({a, b}, domain);
       lines.push_back({a, is_on_seam ? a : b});  // a line without length has no cliff
       delta = std::min(delta, options_.tolerance(tree_.mesh().position[side[0]]));
     }
