@@ -27,6 +27,9 @@ constexpr std::uintptr_t kHugePage = std::uintptr_t{2} << 20;
 /// The size of a large array: smaller ones are taken and freed often, and each of their pages would
 /// cost an interruption every time.
 constexpr int kLargeArray = kHugePage;
+/// The main heap, of huge pages, and one for other threads: where all share one, they wait for each
+/// other. Each heap more takes kHeapStep of what --max-memory allows.
+constexpr int kMostHeaps = 2;
 
 std::uintptr_t next_huge_page(std::uintptr_t address) {
   return (address + kHugePage - 1) / kHugePage * kHugePage;
@@ -43,7 +46,7 @@ bool advise_huge_pages(std::uintptr_t start, std::uintptr_t end) {
 
 bool use_huge_pages() {
   if (mallopt(M_MMAP_THRESHOLD, kHeapStep) == 0 || mallopt(M_TRIM_THRESHOLD, 2 * kHeapStep) == 0 ||
-      mallopt(M_TOP_PAD, kHeapStep) == 0 || mallopt(M_ARENA_MAX, 1) == 0) {
+      mallopt(M_TOP_PAD, kHeapStep) == 0 || mallopt(M_ARENA_MAX, kMostHeaps) == 0) {
     return false;
   }
   // More than the heap has left: it grows by a step.

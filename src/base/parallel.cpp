@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <system_error>
@@ -52,6 +53,81 @@ void run_chunks(Loop& loop) noexcept {
   }
 }
 
+/// Threads that wait for loops: to wake one takes a tenth of the time that to start one takes. A
+/// loop may start others on any of its threads: it waits only for threads that are within its own
+/// chunks, never for one to come.
+class Helpers {
+ public:
+  static Helpers& all() {
+    static Helpers helpers;
+    return helpers;
+  }
+
+  ~Helpers() {
+    {
+      const std::lock_guard lock(mutex_);
+      are_done_ = true;
+    }
+    asked_.notify_all();
+  }
+  Helpers(const Helpers&) = delete;
+  Helpers& operator=(const Helpers&) = delete;
+
+  /// Runs a loop on this thread and on up to `others` that have time before it ends.
+  void run(Loop& loop, std::size_t others) {
+    Request request{.loop = loop, .wanted = others};
+    {
+      const std::lock_guard lock(mutex_);
+      start(others);
+      requests_.push_back(&request);
+    }
+    for (std::size_t k = 0; k < others; ++k) asked_.notify_one();
+    run_chunks(loop);
+    std::unique_lock lock(mutex_);
+    std::erase(requests_, &request);
+    left_.wait(lock, [&] { return request.working == 0; });
+  }
+
+ private:
+  struct Request {
+    Loop& loop;
+    std::size_t wanted;       ///< threads that may still come
+    std::size_t working = 0;  ///< threads that came and have not left
+  };
+
+  Helpers() = default;
+
+  /// Starts threads until there are `count`.
+  void start(std::size_t count) {
+    try {
+      while (threads_.size() < count) threads_.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+      // The system allows no more threads: those that are there do the work.
+    }
+  }
+
+  void work() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+      asked_.wait(lock, [this] { return are_done_ || !requests_.empty(); });
+      if (are_done_) return;
+      Request& request = *requests_.front();
+      if (--request.wanted == 0) requests_.erase(requests_.begin());
+      ++request.working;
+      lock.unlock();
+      run_chunks(request.loop);
+      lock.lock();
+      if (--request.working == 0) left_.notify_all();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable asked_, left_;
+  std::vector<Request*> requests_;  ///< the oldest first
+  bool are_done_ = false;
+  std::vector<std::jthread> threads_;  // the last member: they use the others
+};
+
 }  // namespace
 
 Abandonable::Abandonable(std::stop_token token) {
@@ -79,18 +155,11 @@ void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads,
   Loop loop{.count = count, .chunk = chunk, .body = body, .abandoned = wanted_no_longer};
   const std::size_t chunks = loop.chunks();
   const unsigned wanted = chunks <= 1 ? 1 : threads == 0 ? available_threads() : threads;
-  {
-    // This thread works too, so one fewer is started.
-    std::vector<std::jthread> others;
-    const std::size_t other_count =
-        std::min<std::size_t>(wanted, std::max<std::size_t>(chunks, 1)) - 1;
-    others.reserve(other_count);
-    try {
-      while (others.size() < other_count) others.emplace_back(run_chunks, std::ref(loop));
-    } catch (const std::system_error&) {
-      // The system allows no more threads: those that are there do the work.
-    }
+  const std::size_t others = std::min<std::size_t>(wanted, std::max<std::size_t>(chunks, 1)) - 1;
+  if (others == 0) {
     run_chunks(loop);
+  } else {
+    Helpers::all().run(loop, others);
   }
   if (loop.first_exception) std::rethrow_exception(loop.first_exception);
 }

@@ -14,7 +14,8 @@ namespace saddle {
 
 /// Calls body(begin, end) for consecutive chunks of [0, count), each `chunk` long but the last;
 /// every index exactly once, chunks in any order, on up to `threads` threads (0: all of the
-/// machine's). The first exception thrown by a body is rethrown here once all threads have ended.
+/// machine's). Loops that run at the same time share the threads that wait for them, the oldest
+/// loop first. The first exception thrown by a body is rethrown here once all threads have ended.
 /// Throws Overtime when --max-time is long over.
 void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads,
                      const std::function<void(std::size_t begin, std::size_t end)>& body);

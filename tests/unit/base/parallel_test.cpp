@@ -70,6 +70,30 @@ TEST(ParallelChunks, RunAtTheSameTime) {
   EXPECT_EQ(arrived, 2);
 }
 
+TEST(ParallelChunks, RunOnNoMoreThreadsThanAsked) {
+  // Many threads wait for loops by now.
+  parallel_chunks(16, 1, 16, [](std::size_t, std::size_t) {});
+  for (int k = 0; k < 20; ++k) {
+    std::set<std::thread::id> threads;
+    std::mutex mutex;
+    parallel_chunks(64, 1, 3, [&](std::size_t, std::size_t) {
+      const std::lock_guard lock(mutex);
+      threads.insert(std::this_thread::get_id());
+    });
+    EXPECT_LE(threads.size(), 3);
+  }
+}
+
+TEST(ParallelChunks, EndWhereLoopsStartOthersOnAllThreads) {
+  std::atomic<int> visits = 0;
+  parallel_chunks(8, 1, 4, [&](std::size_t, std::size_t) {
+    parallel_chunks(8, 1, 4, [&](std::size_t, std::size_t) {
+      parallel_chunks(8, 1, 4, [&](std::size_t, std::size_t) { ++visits; });
+    });
+  });
+  EXPECT_EQ(visits, 512);
+}
+
 TEST(ParallelChunks, RethrowABodysExceptionOnceAllThreadsHaveEnded) {
   for (const unsigned threads : {1u, 4u}) {
     std::atomic<int> running = 0;
