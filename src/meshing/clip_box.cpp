@@ -119,6 +119,7 @@ Bounds clip_box(const Bounds& all, const Bounds& usual, std::span<const dvec3> p
 std::optional<Bounds> readable_box(const Bounds& whole, std::span<const dvec3> points) {
   if (points.empty()) return std::nullopt;
   const Bounds all = bounds_of(points);
+  if (!is_finite(all.size())) return std::nullopt;  // from -1e308 to 1e308
   const dvec3 beyond = whole.size() - kNeedle * all.diagonal();
   if (std::max({beyond.x, beyond.y, beyond.z}) > 0) {
     const Bounds box = box_without_far_edges(whole, points);

@@ -37,6 +37,8 @@ constexpr MessageRow kNothing[] = {
      "u = 0 is where they are closest", "z=u u=0:8 -o a.ply"},
     {"x=1e308*u y=1e308*v z=u*v -o a.ply", "the surface has no finite extent",
      "(-1e+308, -1e+308, -1)", "x=1e30*u y=1e30*v z=1e30*u*v -o a.ply"},
+    {"z=1e308*u -o a.ply", "the surface has no finite extent", "(-1, -1, -1e+308)",
+     "z=1e3*u -o a.ply"},
     {"show --shader curve x=s", "no surface is drawn", "lines and dots have fixed shaders",
      "show --shader curve x=s --radius 0.1"},
     {"show --shader point 1,2,3", "no surface is drawn", "lines and dots have fixed shaders",
