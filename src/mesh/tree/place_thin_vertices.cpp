@@ -14,6 +14,7 @@
 #include "mesh/features/thin_parts.h"
 #include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/proof/continuity.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
 
@@ -50,9 +51,10 @@ class ThinVertexPlacer {
                    CellTree& tree)
       : leaves_(leaves), tolerance_(tolerance), threads_(threads), tree_(tree) {}
 
+  /// A round finds a thin part of each side, and the next one those between it and the ends. A side
+  /// with more than kMostLineParts has waves, as beside u=0 in gamma(1/u): there is no end of them.
   void run() {
-    while (place_in(alike_sides())) {
-    }
+    for (std::size_t parts = 1; parts < kMostLineParts && place_in(alike_sides());) parts *= 2;
   }
 
  private:

@@ -364,5 +364,14 @@ TEST(BoundedWork, EndsWhereASurfaceOscillatesFasterThanAnyPictureShows) {
   EXPECT_LT(gap, 1.1 * *result.report.tolerance);  // a straight line up to the surface is longer
 }
 
+TEST(BoundedWork, EndsWhereALineHasAnyNumberOfThinParts) {
+  // Beside u=0 poles and overflows take turns; each half of a side has as many.
+  MeshRequest options = within_share(3e-3);
+  options.clip = Bounds{{-1, -1, -3}, {1, 1, 5}};
+  const MeshResult result = try_mesh(height_field("gamma(1/u)"), options).value();
+  EXPECT_LT(result.report.evaluations, 50'000'000U);
+  EXPECT_FALSE(result.mesh.triangles.empty());
+}
+
 }  // namespace
 }  // namespace saddle
