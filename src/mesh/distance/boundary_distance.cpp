@@ -252,7 +252,7 @@ std::vector<dvec2> BoundaryDistance::ends_of(std::span<const Line> ways) const {
   std::vector<WayOut> out;
   for (std::size_t k = 0; k < ways.size(); ++k)
     out.emplace_back(ways[k], chords_[k].is_at_face ? kHalvingsToLeast : kHalvingsToEdge, clip_);
-  std::vector<dvec2> ends = leave(surface_, std::move(out), threads_);
+  std::vector<dvec2> ends = leave(surface_, out, threads_);
   follow_outside(ways, ends);
   return ends;
 }

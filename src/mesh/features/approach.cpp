@@ -111,18 +111,18 @@ std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> li
                                 unsigned threads, const std::optional<Bounds>& box) {
   std::vector<WayOut> ways;
   for (const Line& line : lines) ways.emplace_back(line, halvings, box);
-  return leave(surface, std::move(ways), threads);
+  return leave(surface, ways, threads);
 }
 
 namespace {
 
 /// The parts of lines on which it is not proved that the surface is defined: all of a line on whose
 /// parts bounds prove nothing, and a few for the rest.
-std::vector<LinePart> maybe_undefined(const Surface& surface, std::vector<LinePart> lines,
+std::vector<LinePart> maybe_undefined(SurfaceEnclosure& enclosure, std::vector<LinePart> lines,
                                       std::size_t& boxes) {
   std::vector<LinePart> open;
   std::vector<LinePart> halved =
-      unproved(surface, std::move(lines), kInfinity, boxes, kFirstHalvings);
+      unproved(enclosure, std::move(lines), kInfinity, boxes, kFirstHalvings);
   std::vector<LinePart> some;
   for (auto part = halved.begin(); part != halved.end();) {
     const auto end = std::find_if(part, halved.end(),
@@ -131,7 +131,7 @@ std::vector<LinePart> maybe_undefined(const Surface& surface, std::vector<LinePa
     to.insert(to.end(), part, end);
     part = end;
   }
-  some = unproved(surface, std::move(some), kInfinity, boxes, kMoreHalvingsToGap);
+  some = unproved(enclosure, std::move(some), kInfinity, boxes, kMoreHalvingsToGap);
   open.insert(open.end(), some.begin(), some.end());
   std::ranges::stable_sort(open, {}, &LinePart::line);
   return open;
@@ -159,7 +159,7 @@ void end_in_gaps(const Surface& surface, std::span<Line> lines, unsigned threads
   const std::vector<bool> reaches_sheet = are_seen(places);
   std::size_t next = 0;
   std::erase_if(open, [&](const LinePart&) { return !reaches_sheet[next++]; });
-  open = maybe_undefined(surface, std::move(open), work);
+  open = maybe_undefined(enclosure, std::move(open), work);
   places.clear();
   for (const LinePart& part : open) {
     for (const double share : kAllAlongLine)

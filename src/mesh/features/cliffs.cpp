@@ -9,6 +9,7 @@
 
 #include "base/numbers.h"
 #include "mesh/features/bisect_together.h"
+#include "mesh/features/search_chunks.h"
 #include "mesh/model/segment.h"
 #include "mesh/model/tolerances.h"
 #include "surface/parameter_box.h"
@@ -96,9 +97,8 @@ bool take_doubted(CliffSearch& search, const Place& place, double least) {
 }
 
 /// Halves the lines until their middles are on cliffs. `open`: the lines that may have a cliff.
-void halve_to_cliffs(const Surface& surface, double delta, unsigned threads,
-                     std::vector<CliffSearch>& searches, std::vector<std::size_t>& open,
-                     std::size_t& work) {
+void halve_to_cliffs(const Surface& surface, double delta, std::vector<CliffSearch>& searches,
+                     std::vector<std::size_t>& open, std::size_t& work) {
   std::vector<std::size_t> found = open;
   const auto next = [](const CliffSearch& search) { return search.at(search.next()); };
   const auto is_done = [&](CliffSearch& search, const dvec2&, const SurfacePoint& point) {
@@ -107,7 +107,7 @@ void halve_to_cliffs(const Surface& surface, double delta, unsigned threads,
     const double least = kUnnoticed * delta;
     return search.doubted ? take_doubted(search, place, least) : take_middle(search, place, least);
   };
-  bisect_together(surface, searches, open, {kHalvingsToEdge, threads}, next, is_done);
+  bisect_together(surface, searches, open, {kHalvingsToEdge}, next, is_done);
   std::erase_if(found, [&](std::size_t k) { return !searches[k].on_cliff; });
   open = std::move(found);
 }
@@ -125,9 +125,8 @@ struct SheetSearch {
 };
 
 /// Moves ends of searches to where the sheets leave their tangents.
-void find_ends(const Surface& surface, double delta, unsigned threads,
-               std::vector<CliffSearch>& searches, std::span<const std::size_t> numbers,
-               std::size_t& work) {
+void find_ends(const Surface& surface, double delta, std::vector<CliffSearch>& searches,
+               std::span<const std::size_t> numbers, std::size_t& work) {
   std::vector<SheetSearch> sheets;
   for (const std::size_t k : numbers) {
     for (const Place& end : searches[k].ends)
@@ -147,7 +146,7 @@ void find_ends(const Surface& surface, double delta, unsigned threads,
     const double way = std::fabs(search.cliff->on_cliff->share - search.last);
     return std::fabs(search.beyond - search.last) <= kNearEnd * way;
   };
-  bisect_together(surface, sheets, open, {kHalvingsToEdge, threads}, next, is_done);
+  bisect_together(surface, sheets, open, {kHalvingsToEdge}, next, is_done);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     CliffSearch& search = searches[numbers[i]];
     const std::array found = {sheets[2 * i].last, sheets[2 * i + 1].last};
@@ -243,14 +242,14 @@ bool goes_on_beyond(const Surface& surface, const CliffSearch& search, double de
 /// Positions at even shares of cliffs, one cliff after the other.
 std::vector<dvec3> positions_on(const Surface& surface, std::span<const CliffSearch> searches,
                                 std::span<const std::size_t> numbers, std::size_t count,
-                                unsigned threads, std::size_t& work) {
+                                std::size_t& work) {
   std::vector<dvec2> uv;
   for (const std::size_t k : numbers) {
     for (std::size_t i = 0; i < count; ++i)
       uv.push_back(searches[k].at(share_on(searches[k], i, count)));
   }
   work += uv.size();
-  return evaluate_positions(surface, uv, threads);
+  return evaluate_positions(surface, uv, 1);
 }
 
 /// The cliff of a search, with places at even shares, of which the numbers are given.
@@ -263,13 +262,11 @@ Cliff cliff_at(const CliffSearch& search, std::span<const std::size_t> numbers, 
   return cliff;
 }
 
-}  // namespace
-
-std::vector<Cliff> find_cliffs(const Surface& surface, std::span<const Line> lines, double delta,
-                               unsigned threads, std::size_t& work) {
+std::vector<Cliff> cliffs_of_some(const Surface& surface, std::span<const Line> lines, double delta,
+                                  std::size_t& work) {
   std::vector<dvec2> uv;
   for (const Line& line : lines) uv.insert(uv.end(), line.begin(), line.end());
-  const std::vector<SurfacePoint> at_ends = evaluate(surface, uv, threads);
+  const std::vector<SurfacePoint> at_ends = evaluate(surface, uv, 1);
   work += uv.size();
   std::vector<CliffSearch> searches;
   std::vector<std::size_t> open;
@@ -281,9 +278,9 @@ std::vector<Cliff> find_cliffs(const Surface& surface, std::span<const Line> lin
     searches.push_back(search);
   }
   std::vector<Cliff> cliffs(lines.size());
-  halve_to_cliffs(surface, delta, threads, searches, open, work);
+  halve_to_cliffs(surface, delta, searches, open, work);
   if (open.empty()) return cliffs;
-  find_ends(surface, delta, threads, searches, open, work);
+  find_ends(surface, delta, searches, open, work);
   for (const std::size_t k : open) widen(searches[k]);
   // While a cliff rises, the sheets beside it go on by delta at most: leaves show wider ones.
   std::erase_if(open, [&](std::size_t k) {
@@ -293,7 +290,7 @@ std::vector<Cliff> find_cliffs(const Surface& surface, std::span<const Line> lin
   std::vector<std::size_t> curved;
   const auto add_from = [&](std::span<const std::size_t> numbers, std::size_t count,
                             const auto& ends_of) {
-    const auto positions = positions_on(surface, searches, numbers, count, threads, work);
+    const auto positions = positions_on(surface, searches, numbers, count, work);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const auto on_cliff = std::span(positions).subspan(i * count, count);
       const CliffSearch& search = searches[numbers[i]];
@@ -315,6 +312,16 @@ std::vector<Cliff> find_cliffs(const Surface& surface, std::span<const Line> lin
     return ends_of_segments(on_cliff, delta);
   });
   return cliffs;
+}
+
+}  // namespace
+
+std::vector<Cliff> find_cliffs(const Surface& surface, std::span<const Line> lines, double delta,
+                               unsigned threads, std::size_t& work) {
+  return search_chunks(lines, kInBatch / 2, threads, work,
+                       [&](std::span<const Line> some, std::size_t& own) {
+                         return cliffs_of_some(surface, some, delta, own);
+                       });
 }
 
 }  // namespace saddle

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/numbers.h"
+#include "mesh/features/search_chunks.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
@@ -44,7 +45,10 @@ std::vector<LocatedDiscontinuity> find_creases(const Surface& surface, std::span
                                   .are_positions = false,
                                   .plain = kPlainHalvings};
   const std::vector<LocatedDiscontinuity> found =
-      bisect_discontinuities(surface, gaps, turning, threads, work);
+      search_chunks(std::span<const Bracket>(gaps), kInBatch / 2, threads, work,
+                    [&](std::span<const Bracket> some, std::size_t& own) {
+                      return bisect_discontinuities(surface, some, turning, 1, own);
+                    });
   std::vector<LocatedDiscontinuity> result(lines.size());
   for (std::size_t i = 0; i < open.size(); ++i) {
     result[open[i]] = found[i];

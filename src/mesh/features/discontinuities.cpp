@@ -11,6 +11,7 @@
 
 #include "mesh/features/jumps_and_poles.h"
 #include "mesh/features/narrow_parts.h"
+#include "mesh/features/search_chunks.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/proof/continuity.h"
 
@@ -47,7 +48,7 @@ struct WayFromJump {
 /// The parts of ways in which there are steps that slopes do not explain: other jumps, nearer than
 /// bounds tell. Places are looked at 4 times as near each, and down to kSame.
 std::vector<LinePart> steps_on(const Surface& surface, std::span<const WayFromJump> ways,
-                               double delta, unsigned threads, std::size_t& work) {
+                               double delta, std::size_t& work) {
   constexpr double kNearer = 0.25;
   std::vector<double> shares = {1};  // of the way from the jump
   while (shares.back() > kSame) shares.push_back(kNearer * shares.back());
@@ -56,7 +57,7 @@ std::vector<LinePart> steps_on(const Surface& surface, std::span<const WayFromJu
   for (const auto& [line, way, is_forward] : ways) {
     for (const double share : shares) uv.push_back(glm::mix(way[0], way[1], share));
   }
-  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
   work += uv.size();
   std::vector<LinePart> parts;
   for (std::size_t k = 0; k < ways.size(); ++k) {
@@ -122,14 +123,14 @@ void add(const LocatedDiscontinuity& more, const Line& line, LocatedDiscontinuit
 /// Searches lines that are not proved to be continuous.
 class LineSearch {
  public:
-  LineSearch(const Surface& surface, std::span<const Line> lines, double delta, unsigned threads,
-             std::size_t& work)
+  LineSearch(const Surface& surface, SurfaceEnclosure& enclosure, std::span<const Line> lines,
+             double delta, std::size_t& work)
       : surface_(surface),
+        enclosure_(enclosure),
         lines_(lines),
         delta_(delta),
-        threads_(threads),
         work_(work),
-        found_(follow_lines(surface, lines, delta, threads, work)),
+        found_(follow_lines(surface, lines, delta, 1, work)),
         jumps_(lines.size()),
         is_full_(lines.size()),
         is_complete_(lines.size()) {}
@@ -155,7 +156,7 @@ class LineSearch {
       if (found_[k].kind == Discontinuity::Jump) add_jump(k, found_[k].ends, ways);
     }
     for (int round = 0; round < kStepRounds && !ways.empty(); ++round) {
-      const auto steps = steps_on(surface_, std::exchange(ways, {}), delta_, threads_, work_);
+      const auto steps = steps_on(surface_, std::exchange(ways, {}), delta_, work_);
       const std::size_t first = more_.size();
       look(steps);
       for (std::size_t i = first; i < more_.size(); ++i) {
@@ -179,13 +180,13 @@ class LineSearch {
       }
       append_between(k, {from, lines_[k][1]}, is_known, false, parts);
     }
-    parts = unproved(surface_, std::move(parts), delta_, work_, kHalvingsToSame);
-    return narrowed(surface_, lines_, parts, delta_, threads_, work_);
+    parts = unproved(enclosure_, std::move(parts), delta_, work_, kHalvingsToSame);
+    return narrowed(surface_, enclosure_, lines_, parts, delta_, work_);
   }
 
   /// Looks at parts of lines.
   void look(const std::vector<LinePart>& parts) {
-    const auto at = look_at(surface_, lines_, parts, delta_, threads_, work_);
+    const auto at = look_at(surface_, lines_, parts, delta_, 1, work_);
     parts_.insert(parts_.end(), parts.begin(), parts.end());
     more_.insert(more_.end(), at.begin(), at.end());
   }
@@ -269,9 +270,9 @@ class LineSearch {
   }
 
   const Surface& surface_;
+  SurfaceEnclosure& enclosure_;  // of positions
   std::span<const Line> lines_;
   double delta_;
-  unsigned threads_;
   std::size_t& work_;
   std::vector<LocatedDiscontinuity> found_;
   JumpsOfLines jumps_;
@@ -281,29 +282,35 @@ class LineSearch {
   std::vector<LocatedDiscontinuity> more_;  ///< found in them
 };
 
-}  // namespace
-
-std::vector<LocatedDiscontinuity> find_discontinuities(const Surface& surface,
-                                                       std::span<const Line> lines, double delta,
-                                                       unsigned threads, std::size_t& work) {
+std::vector<LocatedDiscontinuity> discontinuities_of_some(const Surface& surface,
+                                                          std::span<const Line> lines, double delta,
+                                                          std::size_t& work) {
+  SurfaceEnclosure enclosure(surface, Bounded::Position);
   std::vector<LinePart> whole;
   for (std::size_t k = 0; k < lines.size(); ++k) whole.push_back({k, lines[k]});
   std::vector<std::size_t> open;
   std::vector<Line> open_lines;
-  for (const LinePart& part : unproved(surface, std::move(whole), delta, work, kFirstHalvings)) {
+  for (const LinePart& part : unproved(enclosure, std::move(whole), delta, work, kFirstHalvings)) {
     if (!open.empty() && open.back() == part.line) continue;
     open.push_back(part.line);
     open_lines.push_back(lines[part.line]);
   }
   std::vector<LocatedDiscontinuity> result(lines.size());
   for (LocatedDiscontinuity& at : result) at.is_proved = true;
-  for (std::size_t i = 0; i < open.size(); i += kSearchedTogether) {
-    const auto some =
-        std::span(open_lines).subspan(i, std::min(kSearchedTogether, open_lines.size() - i));
-    auto found = LineSearch(surface, some, delta, threads, work).run();
-    for (std::size_t k = 0; k < found.size(); ++k) result[open[i + k]] = std::move(found[k]);
-  }
+  auto found = LineSearch(surface, enclosure, open_lines, delta, work).run();
+  for (std::size_t k = 0; k < found.size(); ++k) result[open[k]] = std::move(found[k]);
   return result;
+}
+
+}  // namespace
+
+std::vector<LocatedDiscontinuity> find_discontinuities(const Surface& surface,
+                                                       std::span<const Line> lines, double delta,
+                                                       unsigned threads, std::size_t& work) {
+  return search_chunks(lines, kSearchedTogether, threads, work,
+                       [&](std::span<const Line> some, std::size_t& own) {
+                         return discontinuities_of_some(surface, some, delta, own);
+                       });
 }
 
 std::vector<std::vector<Line>> find_all_jumps(const Surface& surface, std::span<const Line> lines,

@@ -25,8 +25,7 @@ struct Steepest {
 };
 
 /// Bisects parts toward the larger step, down to two neighbouring doubles.
-void find_steepest(const Surface& surface, std::vector<Steepest>& searches, unsigned threads,
-                   std::size_t& work) {
+void find_steepest(const Surface& surface, std::vector<Steepest>& searches, std::size_t& work) {
   std::vector<std::size_t> open = all_open(searches.size());
   const auto next = [](const Steepest& search) { return middle_of(search.left); };
   const auto is_done = [&](Steepest& search, const dvec2& middle, const dvec3& position) {
@@ -38,7 +37,7 @@ void find_steepest(const Surface& surface, std::vector<Steepest>& searches, unsi
     search.positions[is_first ? 1 : 0] = position;
     return has_no_middle(search.left);
   };
-  bisect_together(surface, searches, open, {kAllHalvings, threads}, next, is_done);
+  bisect_together(surface, searches, open, {kAllHalvings}, next, is_done);
 }
 
 /// The rest of a part without the ways to its steepest place, if bounds prove these continuous. As
@@ -62,14 +61,13 @@ std::optional<Line> between_proofs(const Steepest& steepest, SurfaceEnclosure& e
 
 }  // namespace
 
-std::vector<LinePart> narrowed(const Surface& surface, std::span<const Line> lines,
-                               std::span<const LinePart> parts, double delta, unsigned threads,
-                               std::size_t& work) {
+std::vector<LinePart> narrowed(const Surface& surface, SurfaceEnclosure& enclosure,
+                               std::span<const Line> lines, std::span<const LinePart> parts,
+                               double delta, std::size_t& work) {
   std::vector<dvec2> uv;
   for (const LinePart& part : parts) uv.insert(uv.end(), part.part.begin(), part.part.end());
-  const std::vector<dvec3> positions = evaluate_positions(surface, uv, threads);
+  const std::vector<dvec3> positions = evaluate_positions(surface, uv, 1);
   work += uv.size();
-  SurfaceEnclosure enclosure(surface, Bounded::Position);
   const auto is_bounded = [&](const Line& part) {
     ++work;
     return std::ranges::all_of(enclosure.enclose({part[0], part[1]}),
@@ -89,7 +87,7 @@ std::vector<LinePart> narrowed(const Surface& surface, std::span<const Line> lin
       done.push_back(part);
     }
   }
-  find_steepest(surface, searches, threads, work);
+  find_steepest(surface, searches, work);
   std::vector<LinePart> open;
   for (const Steepest& search : searches) {
     const auto rest =
@@ -100,7 +98,7 @@ std::vector<LinePart> narrowed(const Surface& surface, std::span<const Line> lin
       open.push_back(search.part);
     }
   }
-  open = unproved(surface, std::move(open), delta, work);
+  open = unproved(enclosure, std::move(open), delta, work);
   done.insert(done.end(), open.begin(), open.end());
   std::ranges::stable_sort(done, {}, &LinePart::line);
   return done;

@@ -14,9 +14,9 @@ namespace saddle {
 /// to 1/2048 around their steepest place if bounds prove the rest continuous, else by unproved().
 /// Parts stay if they are bounded and have a step above `delta` between their ends; those that are
 /// proved are dropped. Returns all parts in the order of lines. Adds to `work` the number of points
-/// and boxes.
-std::vector<LinePart> narrowed(const Surface& surface, std::span<const Line> lines,
-                               std::span<const LinePart> parts, double delta, unsigned threads,
-                               std::size_t& work);
+/// and boxes. `enclosure`: of positions.
+std::vector<LinePart> narrowed(const Surface& surface, SurfaceEnclosure& enclosure,
+                               std::span<const Line> lines, std::span<const LinePart> parts,
+                               double delta, std::size_t& work);
 
 }  // namespace saddle

@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 
+#include "mesh/features/search_chunks.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
 
@@ -68,13 +69,18 @@ bool WayOut::narrow(const dvec2& place, const dvec3& position) {
   return is_last || width_ < part_ || --looks_left_ == 0;
 }
 
-std::vector<dvec2> leave(const Surface& surface, std::vector<WayOut> ways, unsigned threads) {
-  std::vector<std::size_t> open = all_open(ways.size());
-  bisect_together(surface, ways, open, {kHalvingsToLeast, threads}, std::mem_fn(&WayOut::next),
-                  std::mem_fn(&WayOut::narrow));
-  std::vector<dvec2> last(ways.size());
-  std::ranges::transform(ways, last.begin(), &WayOut::last_seen);
-  return last;
+std::vector<dvec2> leave(const Surface& surface, std::span<const WayOut> ways, unsigned threads) {
+  std::size_t unused = 0;
+  const auto leave_some = [&](std::span<const WayOut> some, std::size_t&) {
+    std::vector<WayOut> searches(some.begin(), some.end());
+    std::vector<std::size_t> open = all_open(searches.size());
+    bisect_together(surface, searches, open, {kHalvingsToLeast}, std::mem_fn(&WayOut::next),
+                    std::mem_fn(&WayOut::narrow));
+    std::vector<dvec2> last(searches.size());
+    std::ranges::transform(searches, last.begin(), &WayOut::last_seen);
+    return last;
+  };
+  return search_chunks(ways, kInBatch / 2, threads, unused, leave_some);
 }
 
 }  // namespace saddle

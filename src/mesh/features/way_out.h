@@ -43,6 +43,6 @@ class WayOut {
 };
 
 /// The last places that are seen on ways.
-std::vector<dvec2> leave(const Surface& surface, std::vector<WayOut> ways, unsigned threads);
+std::vector<dvec2> leave(const Surface& surface, std::span<const WayOut> ways, unsigned threads);
 
 }  // namespace saddle

@@ -349,7 +349,7 @@ template <class Search>
 void search_within_budget(std::span<const Side> sides, const TraceOptions& options,
                           const CellTree& tree, Search search) {
   while (!sides.empty() && !tree.budget().is_spent(options.triangles)) {
-    const std::size_t count = std::min(sides.size(), kInBatch);
+    const std::size_t count = std::min(sides.size(), 4 * kInBatch);
     search(sides.first(count));
     sides = sides.subspan(count);
   }

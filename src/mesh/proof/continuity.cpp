@@ -10,7 +10,6 @@
 #include <glm/geometric.hpp>
 
 #include "surface/normal.h"
-#include "surface/surface_enclosure.h"
 
 namespace saddle {
 
@@ -73,8 +72,8 @@ double shortest_between(double low, double high) {
 
 class Prover {
  public:
-  Prover(const Surface& surface, double delta, int halvings)
-      : enclosure_(surface, Bounded::Position), delta_(delta), halvings_(halvings) {}
+  Prover(SurfaceEnclosure& enclosure, double delta, int halvings)
+      : enclosure_(enclosure), delta_(delta), halvings_(halvings) {}
 
   /// Number of boxes tested.
   std::size_t boxes() const { return boxes_; }
@@ -270,7 +269,7 @@ class Prover {
     return is_continuous || glm::length(size) < delta_;
   }
 
-  SurfaceEnclosure enclosure_;
+  SurfaceEnclosure& enclosure_;
   double delta_;
   int halvings_;
   std::size_t boxes_ = 0;
@@ -318,10 +317,10 @@ class NormalProver {
 
 }  // namespace
 
-std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta,
-                               std::size_t& boxes, int halvings) {
+std::vector<LinePart> unproved(SurfaceEnclosure& enclosure, std::vector<LinePart> lines,
+                               double delta, std::size_t& boxes, int halvings) {
   std::vector<LinePart> result;
-  Prover prover(surface, delta, halvings);
+  Prover prover(enclosure, delta, halvings);
   prover.prove(lines, result);
   boxes += prover.boxes();
   std::ranges::stable_sort(result, {}, &LinePart::line);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "mesh/model/tolerances.h"
-#include "surface/surface.h"
+#include "surface/surface_enclosure.h"
 
 namespace saddle {
 
@@ -34,9 +34,9 @@ struct LinePart {
 /// Parts of lines on which the surface is proved neither to be continuous nor to stay within
 /// `delta`: a jump there may be larger. A part is as short as doubles go, or one of a few that
 /// stand for many, or left after `halvings`. Parts are in the order of lines and disjoint. Adds to
-/// `boxes` the number of boxes tested.
-std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta,
-                               std::size_t& boxes, int halvings = kAllHalvings);
+/// `boxes` the number of boxes tested. `enclosure`: of positions.
+std::vector<LinePart> unproved(SurfaceEnclosure& enclosure, std::vector<LinePart> lines,
+                               double delta, std::size_t& boxes, int halvings = kAllHalvings);
 
 /// Lines on which there may be creases.
 struct UnprovedNormals {

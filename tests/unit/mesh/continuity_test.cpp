@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "surface_from_text.h"
@@ -25,9 +26,15 @@ std::vector<LinePart> lines_along_u() {
   return lines;
 }
 
+std::vector<LinePart> unproved_of(const Surface& surface, std::vector<LinePart> lines, double delta,
+                                  std::size_t& boxes) {
+  SurfaceEnclosure enclosure(surface, Bounded::Position);
+  return unproved(enclosure, std::move(lines), delta, boxes);
+}
+
 std::vector<LinePart> unproved_of(const std::string& z, double delta) {
   std::size_t boxes = 0;
-  return unproved(height_field(z), lines_along_u(), delta, boxes);
+  return unproved_of(height_field(z), lines_along_u(), delta, boxes);
 }
 
 /// Whether the parts are where the surface breaks, each place has some, and no more than doubles
@@ -69,7 +76,7 @@ TEST(Continuity, ComesToAPoleAtAnEndInFewBoxes) {
   for (const auto& [from, to] : {std::array{0.0, 1.0}, {-1.0, 0.0}}) {
     std::size_t boxes = 0;
     const auto parts =
-        unproved(height_field("1/u"), {{0, {dvec2(from, 0.3), dvec2(to, 0.3)}}}, 1e-3, boxes);
+        unproved_of(height_field("1/u"), {{0, {dvec2(from, 0.3), dvec2(to, 0.3)}}}, 1e-3, boxes);
     ASSERT_EQ(parts.size(), 1);
     EXPECT_LE(std::min(parts[0].part[0].x, parts[0].part[1].x), 0);
     EXPECT_LE(parts[0].part[1].x - parts[0].part[0].x, 0x1p-100);
@@ -84,15 +91,16 @@ TEST(Continuity, IsNotProvedWhereAnyCoordinateJumps) {
                                 {"u", "v", "floor(2*u+0.11)"}}) {
     const Surface surface = surface_from_text(x, y, z, square, {}, Order::Second);
     std::size_t boxes = 0;
-    expect_only_at(unproved(surface, lines_along_u(), 1e-3, boxes), {-0.555, -0.055, 0.445, 0.945});
+    expect_only_at(unproved_of(surface, lines_along_u(), 1e-3, boxes),
+                   {-0.555, -0.055, 0.445, 0.945});
   }
 }
 
 TEST(Continuity, TellsHowManyBoxesItTested) {
   std::size_t boxes = 10;
-  unproved(height_field("u"), lines_along_u(), 1e-3, boxes);
+  unproved_of(height_field("u"), lines_along_u(), 1e-3, boxes);
   EXPECT_EQ(boxes, 11);  // one around all lines is enough
-  unproved(height_field("u"), {lines_along_u()[0]}, 1e-3, boxes);
+  unproved_of(height_field("u"), {lines_along_u()[0]}, 1e-3, boxes);
   EXPECT_EQ(boxes, 12);
   const std::array<Line, 1> line = {lines_along_u()[0].part};
   Patience patience;
@@ -105,7 +113,7 @@ TEST(Continuity, IsNotProvedAtAnyOfSomeBreaksOfALine) {
   const Surface surface = height_field("floor(20*u)");
   const LinePart line{0, {dvec2(-0.7142857142857143, 0.3), dvec2(-0.45000000000000007, 0.3)}, 1};
   std::size_t boxes = 0;
-  const std::vector<LinePart> parts = unproved(surface, {line}, 1e-3, boxes);
+  const std::vector<LinePart> parts = unproved_of(surface, {line}, 1e-3, boxes);
   for (const double u : {-0.7, -0.65, -0.6, -0.55, -0.5}) {
     const auto is_there = [u](const LinePart& part) {
       return part.part[0].x - 1e-14 <= u && u <= part.part[1].x + 1e-14;
@@ -124,7 +132,7 @@ TEST(Continuity, ComesToAJumpAtAShortNumberInFewBoxes) {
       };
       const Surface& of = along_u ? surface : height_field("exp(v)+rint(v)");
       std::size_t boxes = 0;
-      const auto parts = unproved(of, {{0, {place(from), place(to)}}}, 1e-3, boxes);
+      const auto parts = unproved_of(of, {{0, {place(from), place(to)}}}, 1e-3, boxes);
       ASSERT_EQ(parts.size(), 1) << from;
       const auto [first, last] = parts[0].part;
       const int axis = along_u ? 0 : 1;
@@ -140,7 +148,7 @@ TEST(Continuity, IsNotProvedOnEitherSideOfAKnownBreak) {
   const Surface surface = height_field("ln(abs(u-0.33))");
   const dvec2 pole(0.33, 0.3);
   std::size_t boxes = 0;
-  const auto found = unproved(
+  const auto found = unproved_of(
       surface, {{0, {dvec2(-1, 0.3), pole}, 1}, {1, {pole, dvec2(1, 0.3)}, 0}}, 1e-3, boxes);
   EXPECT_LT(boxes, 100);
   ASSERT_EQ(found.size(), 2);
@@ -153,7 +161,7 @@ TEST(Continuity, IsGivenUpSoonWhereBoundsAreTooWide) {
   // The bounds of the difference, which is the slope of e^u to rounding, hold 0.
   const Surface surface = height_field("1/((exp(u+1e-9)-e^u)/1e-9)");
   std::size_t boxes = 0;
-  const auto parts = unproved(surface, lines_along_u(), 1e-3, boxes);
+  const auto parts = unproved_of(surface, lines_along_u(), 1e-3, boxes);
   EXPECT_EQ(parts.size(), kMostLineParts * kLines);  // all of each line
   EXPECT_LT(boxes, 15U * kLines);
 }
@@ -162,7 +170,7 @@ TEST(Continuity, IsProvedWhereBoundsAreTooWideForLongParts) {
   // A part is proved if it is shorter than the step: 1/25 of a line.
   const Surface surface = height_field("1/((exp(u+2e-3)-e^u)/2e-3)");
   std::size_t boxes = 0;
-  EXPECT_TRUE(unproved(surface, lines_along_u(), 1e-3, boxes).empty());
+  EXPECT_TRUE(unproved_of(surface, lines_along_u(), 1e-3, boxes).empty());
 }
 
 TEST(Continuity, IsNotAskedForBelowTheJumpsThatMatter) {
