@@ -20,7 +20,7 @@ struct SampledError {
   bool on_crease = false;  ///< measured from a crease's chord
   /// Whether a boundary or a jump is farther than the tolerance from the chord in its place.
   bool is_off_chord = false;
-  std::uint32_t place = kNoIndex;  ///< of `distance`: its number in ValidatedMesh
+  std::uint32_t place = kNoIndex;  ///< of `distance`: its number in ErrorPlaces
 };
 /// The error at `point`, which is at (u, v). The distance is that from the triangle around (u, v)
 /// if the point is straight above it, else from the nearest triangle. The distance of the

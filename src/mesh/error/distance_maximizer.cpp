@@ -73,7 +73,7 @@ void DistanceMaximizer::climb(ValidatedMesh& mesh) {
   };
   for (int step = 0; step < kMostSteps; ++step) {
     std::erase_if(ascents_, is_done);
-    if (ascents_.empty() || !surface_.may_go_on()) break;
+    if (ascents_.empty()) break;
     evaluate_predicted(mesh);
   }
   ascents_.clear();

@@ -45,10 +45,6 @@ class DistanceMaximizer {
   /// Follows predictions until none is higher, a leaf is above its tolerance, or for five steps.
   /// Adds the distances found to the mesh.
   void climb(ValidatedMesh& mesh);
-  /// Climbs if there are many places.
-  void climb_from_many(ValidatedMesh& mesh) {
-    if (ascents_.size() >= kKeptAtATime) climb(mesh);
-  }
 
   std::size_t evaluations() const { return evaluations_; }
 

@@ -29,18 +29,35 @@ void ValidatedMesh::reserve() {
   marks.reserve(count);
 }
 
+void ErrorPlaces::set(const std::optional<dvec2>& uv, SampledError& error) {
+  if (!uv) {
+    error.place = kNoIndex;
+    return;
+  }
+  const std::lock_guard lock(mutex_);
+  if (error.place == kNoIndex) {
+    error.place = static_cast<std::uint32_t>(places_.size());
+    places_.push_back(*uv);
+  } else {
+    places_[error.place] = *uv;
+  }
+}
+
+void ErrorPlaces::keep(std::span<SampledError> errors) {
+  std::vector<dvec2> places;
+  for (SampledError& error : errors) {
+    if (error.place == kNoIndex) continue;
+    places.push_back(places_[error.place]);
+    error.place = static_cast<std::uint32_t>(places.size() - 1);
+  }
+  places_ = std::move(places);
+}
+
 void ValidatedMesh::add(std::size_t leaf, double distance, const std::optional<dvec2>& uv) {
   SampledError& worst = sampled_errors[leaf];
   if (!(distance > worst.distance)) return;
   worst.distance = distance;
-  if (!uv) {
-    worst.place = kNoIndex;
-  } else if (worst.place == kNoIndex) {
-    worst.place = static_cast<std::uint32_t>(error_places.size());
-    error_places.push_back(*uv);
-  } else {
-    error_places[worst.place] = *uv;
-  }
+  error_places.set(uv, worst);
 }
 
 void ValidatedMesh::put(std::span<const std::size_t> which, LeafTriangles newer,
@@ -127,13 +144,7 @@ void ValidatedMesh::remove(std::span<const std::size_t> which) {
   }
   leaves.resize(to);
   sampled_errors.resize(to);
-  std::vector<dvec2> places;  // without those of removed leaves
-  for (SampledError& error : sampled_errors) {
-    if (error.place == kNoIndex) continue;
-    places.push_back(error_places[error.place]);
-    error.place = static_cast<std::uint32_t>(places.size() - 1);
-  }
-  error_places = std::move(places);
+  error_places.keep(sampled_errors);
   triangles.ranges.resize(to);
   made.resize(to);
   marks.resize(to);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,13 +20,30 @@ struct TriangleMarks {
   bool is_searched : 1 = false;  ///< searched for features
 };
 
+/// The places of some sampled errors, by SampledError::place. Threads may set those of different
+/// errors at the same time.
+class ErrorPlaces {
+ public:
+  /// `uv`: nothing for an error that has none.
+  void set(const std::optional<dvec2>& uv, SampledError& error);
+  std::optional<dvec2> of(const SampledError& error) const {
+    return error.place == kNoIndex ? std::nullopt : std::optional(places_[error.place]);
+  }
+  /// Forgets the places of other errors than these.
+  void keep(std::span<SampledError> errors);
+
+ private:
+  std::vector<dvec2> places_;
+  std::mutex mutex_;
+};
+
 /// The leaves of a mesh, their tolerances, and the triangles and errors that they had when they
 /// were last validated.
 struct ValidatedMesh {
   std::vector<Leaf> leaves;
   /// As many as leaves, or fewer: the others are not validated yet.
   std::vector<SampledError> sampled_errors;
-  std::vector<dvec2> error_places;  ///< of some errors, by SampledError::place
+  ErrorPlaces error_places;
   std::vector<double> allowed;
   /// As many ranges as errors. Replaced triangles stay, in no range.
   LeafTriangles triangles;
@@ -41,11 +59,11 @@ struct ValidatedMesh {
   /// The place of the distance on the surface; nothing at a validation place of a plain leaf, or of
   /// the mesh.
   std::optional<dvec2> error_place(std::size_t leaf) const {
-    const std::uint32_t place = sampled_errors[leaf].place;
-    return place == kNoIndex ? std::nullopt : std::optional(error_places[place]);
+    return error_places.of(sampled_errors[leaf]);
   }
   /// Takes a distance found at a leaf, if it is larger than the known one. `uv`: its place on the
-  /// surface; nothing for a place of the mesh.
+  /// surface; nothing for a place of the mesh. Threads may add to different leaves at the same
+  /// time.
   void add(std::size_t leaf, double distance, const std::optional<dvec2>& uv = {});
   /// Makes room for what is stored of the leaves, and of an eighth more: later rounds add few.
   /// Room that is not used costs no memory.

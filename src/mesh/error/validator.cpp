@@ -12,7 +12,6 @@
 #include "mesh/distance/crease_distance.h"
 #include "mesh/distance/edge_turns.h"
 #include "mesh/error/distance_maximizer.h"
-#include "mesh/error/face_distance.h"
 #include "mesh/error/sharp_bends.h"
 #include "mesh/error/sheet_triangles.h"
 #include "mesh/error/validate_many.h"
@@ -94,60 +93,51 @@ bool Validator::crosses_box(std::span<const Triangle> triangles) const {
 
 std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
                                                    std::span<const std::size_t> which,
-                                                   const LeafTriangles& triangles,
+                                                   const PartOfTriangles& triangles,
                                                    DistanceMaximizer& maxima) {
   std::vector<TwoTriangles> plain;
   std::vector<std::size_t> numbers;  // of those, in `which`
-  std::vector<std::size_t> others, failed;
-  const auto validate = [&] {
-    if (!surface_.may_go_on()) plain.clear();  // those that are left have no sampled errors
-    const auto sampled_errors = validate_many(surface_, grid_, plain, threads_);
-    std::vector<std::size_t> leaves;
-    for (std::size_t i = 0; i < plain.size(); ++i) leaves.push_back(which[numbers[i]]);
-    const LeafCentres centres(surface_, mesh, leaves, kFarCentre, tree_, threads_);
-    evaluations_ += std::tuple_size_v<PlacesInLeaf> * plain.size() + centres.evaluations();
-    for (std::size_t i = 0; i < plain.size(); ++i) {
-      const std::size_t number = numbers[i];
-      const std::size_t leaf = which[number];
-      // An error above the tolerance may be outside of the clip box.
-      if (!sampled_errors[i] || (clip_ && sampled_errors[i]->worst.distance > mesh.allowed[leaf])) {
-        failed.push_back(number);
-        continue;
-      }
-      mesh.sampled_errors[leaf] = sampled_errors[i]->worst;
-      const auto centre = centres.of(i);
-      if (centre && is_missed_from_centre(mesh, leaf, *centre, triangles.of(number), grid_))
-        maxima.add(leaf, triangles.of(number), centre->uv);
-      if (may_be_missed(mesh, leaf, sampled_errors[i]->predicted))
-        maxima.add_places(leaf, triangles.of(number), plain[i]);
-    }
-    maxima.climb_from_many(mesh);
-    plain.clear();
-    numbers.clear();
-  };
+  std::vector<std::size_t> leaves;
+  std::vector<std::size_t> others;
   for (std::size_t k = 0; k < which.size(); ++k) {
     const Leaf& leaf = mesh.leaves[which[k]];
-    if (!triangles.ranges[k].is_plain || !leaf.has_middle()) {
+    if (!triangles.range(k).is_plain || !leaf.has_middle()) {
       others.push_back(k);
       continue;
     }
     const auto two = triangles.of(k);
     numbers.push_back(k);
+    leaves.push_back(which[k]);
     plain.push_back({tree_.vertices().parameters(leaf.low),
                      tree_.vertices().parameters(leaf.high()),
                      {two[0], two[1]},
                      validation_places(leaf)});
-    if (plain.size() == kKeptAtATime) validate();
   }
-  validate();
-  others.insert(others.end(), failed.begin(), failed.end());
+  const auto sampled_errors = validate_many(surface_, grid_, plain, 1);
+  const LeafCentres centres(surface_, mesh, leaves, kFarCentre, tree_, 1);
+  evaluations_ += std::tuple_size_v<PlacesInLeaf> * plain.size() + centres.evaluations();
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const std::size_t number = numbers[i];
+    const std::size_t leaf = leaves[i];
+    // An error above the tolerance may be outside of the clip box.
+    if (!sampled_errors[i] || (clip_ && sampled_errors[i]->worst.distance > mesh.allowed[leaf])) {
+      others.push_back(number);
+      continue;
+    }
+    mesh.sampled_errors[leaf] = sampled_errors[i]->worst;
+    const auto centre = centres.of(i);
+    if (centre && is_missed_from_centre(mesh, leaf, *centre, triangles.of(number), grid_))
+      maxima.add(leaf, triangles.of(number), centre->uv);
+    if (may_be_missed(mesh, leaf, sampled_errors[i]->predicted))
+      maxima.add_places(leaf, triangles.of(number), plain[i]);
+  }
   return others;
 }
 
 std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
                                                          std::span<const std::size_t> which,
                                                          std::span<const std::size_t> others,
-                                                         const LeafTriangles& triangles,
+                                                         const PartOfTriangles& triangles,
                                                          DistanceMaximizer& maxima) {
   std::vector<ValidationPoint> rest;
   std::vector<ValidationPoint> samples;
@@ -169,7 +159,7 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
       places.push_back(on_triangle(grid_, of_leaf, samples[s].triangle, samples[s].uv));
     }
   }
-  const auto found = validate_places(surface_, grid_, places, threads_);
+  const auto found = validate_places(surface_, grid_, places, 1);
   evaluations_ += places.size();
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const ValidationPoint& sample = samples[s];
@@ -192,11 +182,11 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
 }
 
 void Validator::validate_one_by_one(ValidatedMesh& mesh, std::span<const std::size_t> which,
-                                    const LeafTriangles& triangles,
+                                    const PartOfTriangles& triangles,
                                     std::span<const ValidationPoint> samples) {
   std::vector<dvec2> uv(samples.size());
   std::ranges::transform(samples, uv.begin(), &ValidationPoint::uv);
-  const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+  const std::vector<SurfacePoint> points = evaluate(surface_, uv, 1);
   evaluations_ += points.size();
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const auto& [k, place, triangle, beside_cut, crease, across] = samples[s];
@@ -223,25 +213,21 @@ void Validator::validate_one_by_one(ValidatedMesh& mesh, std::span<const std::si
 
 /// Validates leaves in which the surface turns sharply at more points.
 void Validator::validate_sharp_bends(ValidatedMesh& mesh, std::span<const std::size_t> which,
-                                     const LeafTriangles& triangles) {
-  for (std::size_t begin = 0; begin < which.size(); begin += kKeptAtATime) {
-    const auto some = which.subspan(begin, std::min(kKeptAtATime, which.size() - begin));
-    SharpBends bends(surface_, grid_, tree_, clip_, threads_);
-    const LeafCentres centres(surface_, mesh, some, SharpBends::kLeastEstimate, tree_, threads_);
-    for (std::size_t i = 0; i < some.size(); ++i) {
-      const auto of_leaf = triangles.of(begin + i);
-      if (!crosses_box(of_leaf)) bends.add(mesh, some[i], of_leaf, centres.of(i));
-    }
-    bends.measure(mesh);
-    evaluations_ += centres.evaluations() + bends.evaluations();
+                                     const PartOfTriangles& triangles) {
+  SharpBends bends(surface_, grid_, tree_, clip_, 1);
+  const LeafCentres centres(surface_, mesh, which, SharpBends::kLeastEstimate, tree_, 1);
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    if (!crosses_box(triangles.of(k))) bends.add(mesh, which[k], triangles.of(k), centres.of(k));
   }
+  bends.measure(mesh);
+  evaluations_ += centres.evaluations() + bends.evaluations();
 }
 
 /// Adds the distances of triangles beside creases from the surface, at the middles of diagonals and
 /// of sides that end in singular points. Beside a cusp the surface turns too much for heights along
 /// its normals.
 void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std::size_t> which,
-                                        const LeafTriangles& triangles,
+                                        const PartOfTriangles& triangles,
                                         std::span<const std::size_t> others) {
   std::vector<MiddleOfChord> chords;
   std::vector<std::size_t> leaves;  // of each
@@ -264,7 +250,7 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
       leaves.push_back(which[k]);
     });
   }
-  const std::vector<double> distances = distances_from_surface(surface_, chords, threads_);
+  const std::vector<double> distances = distances_from_surface(surface_, chords, 1);
   for (std::size_t k = 0; k < chords.size(); ++k) {
     mesh.add(leaves[k], distances[k]);
   }
@@ -273,19 +259,16 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
 /// Adds the distances of the triangles' sides from the surface, in leaves that cross the clip box,
 /// at the middles of what is inside. The surface at the same parameters may be far outside.
 void Validator::validate_across_faces(ValidatedMesh& mesh, std::span<const std::size_t> which,
-                                      const LeafTriangles& triangles) {
+                                      const PartOfTriangles& triangles) {
   if (!clip_) return;
   std::vector<MiddleOfChord> chords;
-  std::vector<std::size_t> leaves;    // of each
-  std::vector<std::size_t> crossing;  // numbers in `which` of leaves that cross the box
+  std::vector<std::size_t> leaves;  // of each
   const auto& position = grid_.mesh.position;
   const auto& uv = grid_.mesh.uv;
   for (std::size_t k = 0; k < which.size(); ++k) {
     const Leaf& leaf = mesh.leaves[which[k]];
     if (!leaf.state.may_be_halved()) continue;
-    const bool crosses = crosses_box(triangles.of(k));
-    if (crosses) crossing.push_back(k);
-    if (!crosses && !has_cut(FeatureKind::Face, leaf, tree_)) continue;
+    if (!crosses_box(triangles.of(k)) && !has_cut(FeatureKind::Face, leaf, tree_)) continue;
     const dvec2 size =
         tree_.vertices().parameters(leaf.high()) - tree_.vertices().parameters(leaf.low);
     for_triangle_sides(triangles.of(k), [&](const Triangle& t, std::size_t side, bool) {
@@ -313,14 +296,8 @@ void Validator::validate_across_faces(ValidatedMesh& mesh, std::span<const std::
       if (!ends_at_a) add(middle, end);
     });
   }
-  const std::vector<double> distances = distances_from_surface(surface_, chords, threads_);
+  const std::vector<double> distances = distances_from_surface(surface_, chords, 1);
   for (std::size_t k = 0; k < chords.size(); ++k) mesh.add(leaves[k], distances[k]);
-  FaceDistance faces(surface_, grid_, *clip_, threads_);
-  for (const std::size_t k : crossing) {
-    if (mesh.is_near(which[k])) faces.add(which[k], triangles.of(k));
-  }
-  faces.measure(mesh, which, triangles);
-  evaluations_ += faces.evaluations();
 }
 
 /// Adds the distances of corners that only triangles without area have: these are left out, and the
@@ -344,24 +321,11 @@ void Validator::validate_omitted_corners(ValidatedMesh& mesh, std::size_t number
 }
 
 void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
-                        const LeafTriangles& triangles) {
-  mesh.sampled_errors.resize(mesh.leaves.size());
-  for (std::size_t k = 0; k < which.size(); ++k) {
-    Leaf& leaf = mesh.leaves[which[k]];
-    leaf.polygon_size = static_cast<std::uint16_t>(std::min<std::size_t>(
-        triangles.ranges[k].is_plain ? 4 : count_polygon_vertices(leaf, tree_),
-        std::numeric_limits<std::uint16_t>::max()));
-  }
-  DistanceMaximizer maxima(surface_, grid_, clip_, threads_);
+                        const PartOfTriangles& triangles) {
+  DistanceMaximizer maxima(surface_, grid_, clip_, 1);
   const std::vector<std::size_t> others = validate_plain(mesh, which, triangles, maxima);
-  std::vector<ValidationPoint> rest;
-  for (std::size_t begin = 0; begin < others.size() && surface_.may_go_on(); begin += kInBatch) {
-    const auto some = std::span(others).subspan(begin, std::min(kInBatch, others.size() - begin));
-    std::ranges::move(validate_several(mesh, which, some, triangles, maxima),
-                      std::back_inserter(rest));
-  }
-  if (!surface_.may_go_on()) return;
-  move_onto_creases(surface_, rest, threads_);
+  std::vector<ValidationPoint> rest = validate_several(mesh, which, others, triangles, maxima);
+  move_onto_creases(surface_, rest, 1);
   placer_.append_singular_sides(mesh, which, rest);
   validate_one_by_one(mesh, which, triangles, rest);
   maxima.climb(mesh);
@@ -370,13 +334,13 @@ void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
   validate_beside_creases(mesh, which, triangles, others);
   validate_across_faces(mesh, which, triangles);
   for (const std::size_t k : others) validate_omitted_corners(mesh, which[k], triangles.of(k));
-  EdgeTurns edges(surface_, grid_, clip_, threads_);
+  EdgeTurns edges(surface_, grid_, clip_, 1);
   for (std::size_t k = 0; k < which.size(); ++k) {
     if (mesh.is_near(which[k])) edges.add_sides(which[k], triangles.of(k), mesh.allowed[which[k]]);
   }
   for (const LeafDistance& at : edges.measure(kInfinity)) mesh.add(at.leaf, at.distance, at.uv);
   evaluations_ += edges.evaluations();
-  BoundaryDistance boundaries(surface_, grid_, tree_, clip_, threads_);
+  BoundaryDistance boundaries(surface_, grid_, tree_, clip_, 1);
   for (const std::size_t k : others)
     boundaries.add(mesh.leaves[which[k]], which[k], triangles.of(k), mesh.allowed[which[k]]);
   for (const auto& [leaf, distance, is_at_jump, uv] : boundaries.measure()) {
@@ -387,7 +351,7 @@ void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
   }
   evaluations_ += boundaries.evaluations();
   looks_ += boundaries.looks();
-  SheetTriangles sheets(surface_, grid_, tree_, threads_);
+  SheetTriangles sheets(surface_, grid_, tree_, 1);
   for (const std::size_t k : others) {
     if (!crosses_box(triangles.of(k))) sheets.add(mesh, which[k], triangles.of(k));
   }

@@ -28,13 +28,13 @@ class Validator {
         tree_(tree),
         placer_(grid, tree),
         clip_(limits.clip),
-        normal_tolerance_(limits.normal_tolerance),
-        threads_(limits.threads) {}
+        normal_tolerance_(limits.normal_tolerance) {}
 
   /// Measures some leaves of a mesh against their triangles, one range for each: the largest error
-  /// of a leaf at a few random points, which are always the same for the same leaf.
+  /// of a leaf at a few random points, which are always the same for the same leaf. Changes nothing
+  /// of the mesh but their sampled errors, which are there.
   void measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
-               const LeafTriangles& triangles);
+               const PartOfTriangles& triangles);
 
   std::size_t evaluations() const { return evaluations_; }
   /// Points and boxes in searches, which cost more the longer the formula is.
@@ -44,27 +44,28 @@ class Validator {
   /// Validates leaves of two triangles without edge features. Returns the numbers in `which` of the
   /// others.
   std::vector<std::size_t> validate_plain(ValidatedMesh& mesh, std::span<const std::size_t> which,
-                                          const LeafTriangles& triangles,
+                                          const PartOfTriangles& triangles,
                                           DistanceMaximizer& maxima);
   /// Validates leaves of any triangles, with the numbers `others`. Returns the points to which only
   /// sampled_error() applies.
   std::vector<ValidationPoint> validate_several(ValidatedMesh& mesh,
                                                 std::span<const std::size_t> which,
                                                 std::span<const std::size_t> others,
-                                                const LeafTriangles& triangles,
+                                                const PartOfTriangles& triangles,
                                                 DistanceMaximizer& maxima);
   bool is_good(const SampledError& sampled_error, double allowed) const {
     return sampled_error.distance <= allowed && sampled_error.degrees <= normal_tolerance_;
   }
   void validate_one_by_one(ValidatedMesh& mesh, std::span<const std::size_t> which,
-                           const LeafTriangles& triangles,
+                           const PartOfTriangles& triangles,
                            std::span<const ValidationPoint> samples);
   void validate_sharp_bends(ValidatedMesh& mesh, std::span<const std::size_t> which,
-                            const LeafTriangles& triangles);
+                            const PartOfTriangles& triangles);
   void validate_beside_creases(ValidatedMesh& mesh, std::span<const std::size_t> which,
-                               const LeafTriangles& triangles, std::span<const std::size_t> others);
+                               const PartOfTriangles& triangles,
+                               std::span<const std::size_t> others);
   void validate_across_faces(ValidatedMesh& mesh, std::span<const std::size_t> which,
-                             const LeafTriangles& triangles);
+                             const PartOfTriangles& triangles);
   void validate_omitted_corners(ValidatedMesh& mesh, std::size_t number,
                                 std::span<const Triangle> triangles) const;
   bool crosses_box(std::span<const Triangle> triangles) const;
@@ -77,7 +78,6 @@ class Validator {
   PointPlacer placer_;
   const std::optional<Bounds>& clip_;
   double normal_tolerance_;
-  unsigned threads_;
   std::size_t evaluations_ = 0;
   std::size_t looks_ = 0;
 };

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "mesh/error/error_indicator.h"
-#include "mesh/error/validator.h"
+#include "mesh/error/validate_in_chunks.h"
 #include "mesh/grid/degenerate.h"
 #include "mesh/grid/grid.h"
 #include "mesh/tree/cell_polygon.h"
@@ -83,11 +83,11 @@ void LeafValidation::validate(std::span<const std::size_t> which, const Singular
                               std::uint32_t now, std::uint32_t made) {
   for (const std::size_t k : which) mesh_.leaves[k].validated_at = now;
   LeafTriangles triangles = triangulate_leaves(mesh_.leaves, which, singular, grid_, tree_);
-  Validator validator(surface_, grid_, tree_, limits_);
-  validator.measure(mesh_, which, triangles);
-  evaluations_ += validator.evaluations();
-  tree_.effort().add_places(validator.evaluations());
-  tree_.effort().looks() += validator.looks();
+  const ValidationCost cost =
+      validate_in_chunks(surface_, grid_, tree_, limits_, {which, triangles}, mesh_);
+  evaluations_ += cost.evaluations;
+  tree_.effort().add_places(cost.evaluations);
+  tree_.effort().looks() += cost.looks;
   mesh_.put(which, std::move(triangles), made);
   landmarks_.measure(which, mesh_);
   for (const std::size_t k : which) {

@@ -39,6 +39,22 @@ struct LeafTriangles {
   void remove(std::size_t leaf, const Triangle& triangle);
 };
 
+/// The triangles of leaves next to each other in LeafTriangles, which must outlive this.
+class PartOfTriangles {
+ public:
+  PartOfTriangles(const LeafTriangles& of, std::size_t first, std::size_t count)
+      : of_(of), ranges_(std::span(of.ranges).subspan(first, count)) {}
+
+  std::span<const Triangle> of(std::size_t k) const {
+    return std::span(of_.all).subspan(ranges_[k].first, ranges_[k].count);
+  }
+  const LeafTriangles::Range& range(std::size_t k) const { return ranges_[k]; }
+
+ private:
+  const LeafTriangles& of_;
+  std::span<const LeafTriangles::Range> ranges_;
+};
+
 /// Triangulates the cell polygons of the leaves `which`, in that order.
 LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const std::size_t> which,
                                  const SingularCorners& singular, const Grid& grid,
