@@ -6,6 +6,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <unordered_map>
@@ -62,6 +65,28 @@ class SurfaceEnclosure {
   std::vector<Interval> outputs_;
 };
 
+/// Enclosures for loops on several threads: one for each, as to make one is dear.
+class SurfaceEnclosures {
+ public:
+  /// The surface must outlive this.
+  SurfaceEnclosures(const Surface& surface, Bounded outputs)
+      : surface_(surface), outputs_(outputs) {}
+
+  /// Calls body(enclosure, begin, end) for chunks as parallel_chunks() does.
+  void in_chunks(std::size_t count, std::size_t chunk, unsigned threads,
+                 const std::function<void(SurfaceEnclosure& enclosure, std::size_t begin,
+                                          std::size_t end)>& body);
+  /// One that is not in use.
+  std::unique_ptr<SurfaceEnclosure> take();
+  void give_back(std::unique_ptr<SurfaceEnclosure> enclosure);
+
+ private:
+  const Surface& surface_;
+  Bounded outputs_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<SurfaceEnclosure>> free_;
+};
+
 /// Proved: all are defined in the whole box, without a jump or a pole.
 bool are_continuous(std::span<const Interval> bounds);
 
@@ -76,9 +101,10 @@ Bounds hull_of(std::span<const Interval> bounds);
 /// must outlive this.
 class KnownHulls {
  public:
-  explicit KnownHulls(const Surface& surface) : surface_(surface) {}
+  explicit KnownHulls(const Surface& surface) : enclosures_(surface, Bounded::Position) {}
 
-  Bounds over(const ParameterBox& box);
+  Bounds over(const ParameterBox& box) { return over(std::span(&box, 1), 1)[0]; }
+  std::vector<Bounds> over(std::span<const ParameterBox> boxes, unsigned threads);
 
  private:
   /// They take 7 MB.
@@ -87,9 +113,8 @@ class KnownHulls {
   /// far.
   static constexpr std::size_t kStepsToKeep = 100;
 
-  const Surface& surface_;
-  std::optional<SurfaceEnclosure> enclosure_;  // made for the first box
-  bool keeps_ = false;
+  SurfaceEnclosures enclosures_;
+  std::optional<bool> keeps_;  // known from the first boxes on
   struct HashOfBox {
     std::size_t operator()(const std::array<double, 4>& box) const;
   };

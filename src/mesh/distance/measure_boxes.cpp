@@ -8,9 +8,11 @@
 #include <glm/geometric.hpp>
 
 #include "base/numbers.h"
+#include "base/parallel.h"
 #include "mesh/distance/overlay.h"
 #include "mesh/distance/sampled_error.h"
 #include "mesh/model/sample_places.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/model/triangle_tree.h"
 
 namespace saddle {
@@ -68,8 +70,8 @@ struct Plane {
 /// A bound of the distance from triangles a and b of any point between points on a and points on b.
 /// A line from a to b crosses the common side, if the two make a convex quadrilateral, at most as
 /// far from it as its end on b is from the plane of a.
-double BoxMeasure::fold_between(const Triangle& a, const Triangle& b,
-                                const std::array<std::size_t, 4>& corners) const {
+double BoxMeasure::fold_between(const Triangle& a, const Triangle& b, const Corners& corners,
+                                std::span<const NearestTriangle> nearest) const {
   const auto apex = apexes_of(grid_, a, b);
   if (!apex) return kInfinity;
   const auto& position = grid_.mesh.position;
@@ -85,7 +87,7 @@ double BoxMeasure::fold_between(const Triangle& a, const Triangle& b,
   if (!is_convex) return kInfinity;  // true for NaN
   double fold = 0;
   for (const std::size_t k : corners) {
-    if (nearest_[k].triangle == b) fold = std::max(fold, plane.distance(nearest_[k].point));
+    if (nearest[k].triangle == b) fold = std::max(fold, plane.distance(nearest[k].point));
   }
   return fold;
 }
@@ -101,6 +103,9 @@ BoxMeasure::BoxMeasure(const Surface& surface, const Grid& grid, const Patches& 
       budget_(budget),
       threads_(threads) {}
 
+/// The triangles of patches are near most boxes, which are measured on several threads. Triangles
+/// of the whole mesh are searched for the others, in their order: what that takes of the budget
+/// decides how many there are.
 std::vector<ProofOutcome> BoxMeasure::operator()(std::span<const BoundedBox> boxes) {
   std::vector<dvec2> uv;
   std::vector<std::size_t> first = {0};  // the first point of each box, and the end of all
@@ -109,13 +114,22 @@ std::vector<ProofOutcome> BoxMeasure::operator()(std::span<const BoundedBox> box
     first.push_back(uv.size());
   }
   const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);
+  const auto points_of = [&](std::size_t k) {
+    const std::size_t count = first[k + 1] - first[k];
+    return Points{std::span(uv).subspan(first[k], count),
+                  std::span(points).subspan(first[k], count)};
+  };
+  std::vector<std::optional<ProofOutcome>> of_patches(boxes.size());
+  parallel_chunks(boxes.size(), kSearchedTogether, threads_,
+                  [&](std::size_t begin, std::size_t end) {
+                    std::vector<NearestTriangle> nearest;
+                    for (std::size_t k = begin; k < end; ++k)
+                      of_patches[k] = measure_from_patch(boxes[k], points_of(k), nearest);
+                  });
   std::vector<ProofOutcome> outcomes;
   outcomes.reserve(boxes.size());
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    const std::size_t count = first[k + 1] - first[k];
-    outcomes.push_back(measure(boxes[k], std::span(uv).subspan(first[k], count),
-                               std::span(points).subspan(first[k], count)));
-  }
+  for (std::size_t k = 0; k < boxes.size(); ++k)
+    outcomes.push_back(of_patches[k] ? *of_patches[k] : measure_from_mesh(boxes[k], points_of(k)));
   return outcomes;
 }
 
@@ -134,21 +148,31 @@ NearestTriangle BoxMeasure::search(const dvec3& position, double enough,
   return found;
 }
 
-/// A triangle that is near enough, first the one of the point before; else the nearest. None if it
-/// may not be searched for.
-std::optional<NearestTriangle> BoxMeasure::nearest(std::size_t patch, const dvec3& position,
-                                                   double enough) {
+/// A triangle of a patch that is near enough, first the one of the point before; else the nearest
+/// of those. `before`: of the points before.
+NearestTriangle BoxMeasure::nearest_of_patch(std::size_t patch, const dvec3& position,
+                                             double enough,
+                                             std::span<const NearestTriangle> before) const {
   NearestTriangle nearest;
-  if (!nearest_.empty()) nearest = nearest_point(grid_, nearest_.back().triangle, position);
+  if (!before.empty()) nearest = nearest_point(grid_, before.back().triangle, position);
   for (const Triangle& t : triangles_.of(patch)) {
     if (nearest.distance <= enough) return nearest;
-    if (!nearest_.empty() && t == nearest_.back().triangle) continue;
+    if (!before.empty() && t == before.back().triangle) continue;
     const NearestTriangle own = nearest_point(grid_, t, position);
     if (own.distance < nearest.distance) nearest = own;
   }
-  if (nearest.distance <= enough) return nearest;
+  return nearest;
+}
+
+/// Where none of the patch is near enough, the nearest of the mesh; none if it may not be searched
+/// for.
+std::optional<NearestTriangle> BoxMeasure::nearest(std::size_t patch, const dvec3& position,
+                                                   double enough,
+                                                   std::span<const NearestTriangle> before) {
+  const NearestTriangle of_patch = nearest_of_patch(patch, position, enough, before);
+  if (of_patch.distance <= enough) return of_patch;
   if (!budget_.may_visit()) return std::nullopt;
-  return search(position, enough, nearest);
+  return search(position, enough, of_patch);
 }
 
 double BoxMeasure::distance_from_mesh(const dvec3& position, double known) {
@@ -157,34 +181,59 @@ double BoxMeasure::distance_from_mesh(const dvec3& position, double known) {
   return search(position, 0, nearest).distance;
 }
 
-ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> uv,
-                                 std::span<const dvec3> points) {
+/// The outcome if all points are near triangles of the patch. `nearest`: where those are kept.
+std::optional<ProofOutcome> BoxMeasure::measure_from_patch(
+    const BoundedBox& box, const Points& points, std::vector<NearestTriangle>& nearest) const {
+  const double allowed = patches_[box.patch].allowed;
+  nearest.clear();
+  for (const dvec3& p : points.positions) {
+    nearest.push_back(nearest_of_patch(box.patch, p, allowed, nearest));
+    if (!(nearest.back().distance <= allowed)) return std::nullopt;
+  }
+  const double most = kProofFactor * allowed - box.reach;
+  if (box.centre) {
+    const double distance = nearest_of_patch(box.patch, *box.centre, most, nearest).distance;
+    return distance <= most ? std::optional(ProofOutcome::Proved) : std::nullopt;
+  }
+  return are_rectangles_near(box, points.positions, nearest) ? ProofOutcome::Proved
+                                                             : ProofOutcome::Open;
+}
+
+ProofOutcome BoxMeasure::measure_from_mesh(const BoundedBox& box, const Points& points) {
   const double allowed = patches_[box.patch].allowed;
   double worst = 0;
   std::size_t farthest = 0;
-  nearest_.clear();
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const dvec3& p = points[k];
-    const auto found = nearest(box.patch, p, allowed);
+  std::vector<NearestTriangle> nearest_ones;
+  for (std::size_t k = 0; k < points.uv.size(); ++k) {
+    const dvec3& p = points.positions[k];
+    const auto found = nearest(box.patch, p, allowed, nearest_ones);
     if (!found) return ProofOutcome::Open;
-    nearest_.push_back(*found);
-    const double distance = nearest_.back().distance;
-    if (!(distance > worst) || (clip_ && !clip_->contains(p))) continue;
-    worst = distance;
+    nearest_ones.push_back(*found);
+    if (!(found->distance > worst) || (clip_ && !clip_->contains(p))) continue;
+    worst = found->distance;
     farthest = k;
   }
   if (worst > allowed) {
     // On a jump the surface may have a value of its own, as sign(u) has at 0: no mesh shows it.
     if (patches_[box.patch].jump_line) return ProofOutcome::Refuted;
     const dvec2 size = box.box.size() / glm::max(dvec2(box.cells[0], box.cells[1]), dvec2(1));
-    found_.push_back({{uv[farthest], points[farthest], size, box.bend, box.patch}, worst});
+    found_.push_back(
+        {{points.uv[farthest], points.positions[farthest], size, box.bend, box.patch}, worst});
     return ProofOutcome::Refuted;
   }
-  const double most = kProofFactor * allowed - box.reach;
   if (box.centre) {
-    const auto found = nearest(box.patch, *box.centre, most);
+    const double most = kProofFactor * allowed - box.reach;
+    const auto found = nearest(box.patch, *box.centre, most, nearest_ones);
     return found && found->distance <= most ? ProofOutcome::Proved : ProofOutcome::Open;
   }
+  return are_rectangles_near(box, points.positions, nearest_ones) ? ProofOutcome::Proved
+                                                                  : ProofOutcome::Open;
+}
+
+/// Whether triangles are near the rectangles between the points of a box. `nearest`: of the points.
+bool BoxMeasure::are_rectangles_near(const BoundedBox& box, std::span<const dvec3> points,
+                                     std::span<const NearestTriangle> nearest) const {
+  const double most = kProofFactor * patches_[box.patch].allowed - box.reach;
   const std::size_t row = box.cells[0] + 1;
   // A range that is not divided has one point.
   const std::size_t next_u = box.cells[0] > 0 ? 1 : 0;
@@ -192,16 +241,16 @@ ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> u
   for (std::size_t j = 0; j < std::max(box.cells[1], 1U); ++j) {
     for (std::size_t i = 0; i < std::max(box.cells[0], 1U); ++i) {
       const std::size_t k = j * row + i;
-      const std::array corners = {k, k + next_u, k + next_v, k + next_v + next_u};
-      if (!is_near(corners, most) && !is_over_patch(box, corners, points, most))
-        return ProofOutcome::Open;
+      const Corners corners = {k, k + next_u, k + next_v, k + next_v + next_u};
+      if (!is_near(corners, nearest, most) && !is_over_patch(box, corners, points, most))
+        return false;
     }
   }
-  return ProofOutcome::Proved;
+  return true;
 }
 
 /// Whether two triangles between the points of a rectangle are over those of a box's patch.
-bool BoxMeasure::is_over_patch(const BoundedBox& box, const std::array<std::size_t, 4>& corners,
+bool BoxMeasure::is_over_patch(const BoundedBox& box, const Corners& corners,
                                std::span<const dvec3> points, double most) const {
   if (box.cells[0] == 0 || box.cells[1] == 0) return false;
   const std::span<const Triangle> triangles = triangles_.of(box.patch);
@@ -212,20 +261,21 @@ bool BoxMeasure::is_over_patch(const BoundedBox& box, const std::array<std::size
 
 /// Whether the convex hull of points is near one triangle, or two with a common side. The distance
 /// from a convex set is a convex function: of the hull, the points have the largest.
-bool BoxMeasure::is_near(const std::array<std::size_t, 4>& corners, double most) const {
-  const Triangle& a = nearest_[corners[0]].triangle;
+bool BoxMeasure::is_near(const Corners& corners, std::span<const NearestTriangle> nearest,
+                         double most) const {
+  const Triangle& a = nearest[corners[0]].triangle;
   const Triangle* other = nullptr;
   double worst = 0;
   for (const std::size_t k : corners) {
-    const Triangle& t = nearest_[k].triangle;
-    worst = std::max(worst, nearest_[k].distance);
+    const Triangle& t = nearest[k].triangle;
+    worst = std::max(worst, nearest[k].distance);
     if (t == a) continue;
     if (other != nullptr && *other != t) return false;
     other = &t;
   }
   if (!(worst <= most)) return false;
-  return other == nullptr || worst + fold_between(a, *other, corners) <= most ||
-         worst + fold_between(*other, a, corners) <= most;
+  return other == nullptr || worst + fold_between(a, *other, corners, nearest) <= most ||
+         worst + fold_between(*other, a, corners, nearest) <= most;
 }
 
 }  // namespace saddle

@@ -42,16 +42,30 @@ class BoxMeasure {
   const std::vector<Found>& found() const { return found_; }
 
  private:
+  /// Points of a box.
+  struct Points {
+    std::span<const dvec2> uv;
+    std::span<const dvec3> positions;
+  };
+  /// The numbers of the corners of a rectangle among the points of a box.
+  using Corners = std::array<std::size_t, 4>;
+
   const NearestTriangles& tree();
   NearestTriangle search(const dvec3& position, double enough, const NearestTriangle& known);
-  std::optional<NearestTriangle> nearest(std::size_t patch, const dvec3& position, double enough);
-  ProofOutcome measure(const BoundedBox& box, std::span<const dvec2> uv,
-                       std::span<const dvec3> points);
-  bool is_over_patch(const BoundedBox& box, const std::array<std::size_t, 4>& corners,
-                     std::span<const dvec3> points, double most) const;
-  double fold_between(const Triangle& a, const Triangle& b,
-                      const std::array<std::size_t, 4>& corners) const;
-  bool is_near(const std::array<std::size_t, 4>& corners, double most) const;
+  NearestTriangle nearest_of_patch(std::size_t patch, const dvec3& position, double enough,
+                                   std::span<const NearestTriangle> before) const;
+  std::optional<NearestTriangle> nearest(std::size_t patch, const dvec3& position, double enough,
+                                         std::span<const NearestTriangle> before);
+  std::optional<ProofOutcome> measure_from_patch(const BoundedBox& box, const Points& points,
+                                                 std::vector<NearestTriangle>& nearest) const;
+  ProofOutcome measure_from_mesh(const BoundedBox& box, const Points& points);
+  bool are_rectangles_near(const BoundedBox& box, std::span<const dvec3> points,
+                           std::span<const NearestTriangle> nearest) const;
+  bool is_over_patch(const BoundedBox& box, const Corners& corners, std::span<const dvec3> points,
+                     double most) const;
+  double fold_between(const Triangle& a, const Triangle& b, const Corners& corners,
+                      std::span<const NearestTriangle> nearest) const;
+  bool is_near(const Corners& corners, std::span<const NearestTriangle> nearest, double most) const;
 
   const Surface& surface_;
   const Grid& grid_;
@@ -62,7 +76,6 @@ class BoxMeasure {
   ProofBudget& budget_;
   unsigned threads_;
   std::vector<Found> found_;
-  std::vector<NearestTriangle> nearest_;  // of the points of one box
 };
 
 }  // namespace saddle

@@ -81,9 +81,10 @@ LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
   from_mesh_ = 0;
   const double bound = proof_ ? proof_->bound : 0;
   proof_.reset();  // both would take much memory
-  const BoxHandlers handlers = {std::ref(measure), [&](std::span<const UnprovedBox> boxes) {
-                                  refute(boxes, leaves, measure, mesh, result);
-                                }};
+  const BoxHandlers handlers = {
+      std::ref(measure),
+      [&](std::span<const UnprovedBox> boxes) { refute(boxes, leaves, measure, mesh, result); },
+      threads_};
   Certification proof = certify(surface_, root_lines(grid_), patches, clip_, handlers, budget_);
   proof.bound = std::max(proof.bound, bound);
   for (std::size_t k = 0; k < leaves.count; ++k) {

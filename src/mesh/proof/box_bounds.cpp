@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "mesh/model/tolerances.h"
 #include "surface/surface_enclosure.h"
 
 namespace saddle {
@@ -91,6 +92,23 @@ std::optional<std::array<std::uint32_t, 2>> BoxBounds::cells_within(const dvec2&
 
 dvec2 BoxBounds::contributions(const dvec2& size) const {
   return glm::min(0.5 * size * slope, size * size * dvec2(bend.x, bend.z) / 8.0);
+}
+
+BoundedPart farthest_part(const ParameterBox& whole, double tolerance,
+                          const std::function<BoxBounds(const ParameterBox&)>& bounds_over) {
+  const dvec3 corner = bounds_over({whole.low, whole.low}).hull.low;
+  BoundedPart part{whole, bounds_over(whole)};
+  for (int depth = 0; depth < kHalvingsToNearly && !part.bounds.is_undefined; ++depth) {
+    const dvec2 way = part.bounds.slope * part.box.size();
+    const bool is_known = std::isfinite(way.x + way.y) && way.x != way.y;
+    const auto halves = halves_of(part.box, is_known ? (way.x > way.y ? 0 : 1) : depth % 2);
+    const BoxBounds first = bounds_over(halves[0]);
+    const BoxBounds second = bounds_over(halves[1]);
+    const bool is_second = second.farthest(corner) > first.farthest(corner);
+    part = {halves[is_second ? 1 : 0], is_second ? second : first};
+    if (part.bounds.extent() <= tolerance) break;
+  }
+  return part;
 }
 
 }  // namespace saddle

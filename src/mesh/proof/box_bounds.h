@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -50,5 +51,16 @@ struct BoxBounds {
   dvec2 slope{std::numeric_limits<double>::infinity()};
   Bounds hull;  ///< around r
 };
+
+/// A part of a box, with its bounds.
+struct BoundedPart {
+  ParameterBox box;
+  BoxBounds bounds;
+};
+
+/// Halves a box again and again, and goes on with the half whose bounds are farther from the corner
+/// of the first box, until they are as narrow as the tolerance or the surface is undefined there.
+BoundedPart farthest_part(const ParameterBox& whole, double tolerance,
+                          const std::function<BoxBounds(const ParameterBox&)>& bounds_over);
 
 }  // namespace saddle

@@ -29,9 +29,6 @@ constexpr std::size_t kFewBoxes = 100;
 /// A level of root cells helps if one in 8 is proved. After one level that does not help, another
 /// is not tested; after two in a row, two, and so on.
 constexpr std::size_t kHopeless = 8;
-/// In tolerances: a box is measured if the surface is no farther from its points, or without such
-/// bounds if the sphere around its box in space is no larger. That leaves one for their distances.
-constexpr double kReach = kProofFactor - 1;
 /// A box is halved twice at once if its bound is more than 256 times too large.
 constexpr double kHalvedTwice = 256;
 
@@ -49,7 +46,9 @@ class Certifier {
         clip_(clip),
         measure_(handlers.measure),
         budget_(budget),
-        enclosure_(surface, Bounded::SecondDerivatives),
+        threads_(handlers.threads),
+        enclosures_(surface, Bounded::SecondDerivatives),
+        enclosure_(enclosures_.take()),
         unproved_(patches, handlers.take_unproved) {
     result_.proved.assign(patches.size(), 1);
     result_.rough.assign(patches.size(), 0);
@@ -87,6 +86,7 @@ class Certifier {
     std::shared_ptr<const BoxBounds> known = {};
   };
 
+  Part whole_part(std::uint32_t k) const { return {k, GapReason::Work, true, patches_[k].box}; }
   void gather_demands() {
     cells_.emplace(root_, patches_);
     for (std::size_t cell = 0; cell < cells_->count(); ++cell) {
@@ -95,7 +95,7 @@ class Certifier {
         if (patch.cut_by) {
           if (!patch.jump_line || !append_sides_of_jump(k)) add_gap(*patch.cut_by, k);
         } else if (patch.is_measured) {
-          parts_.push_back({k, GapReason::Work, true, patch.box});
+          parts_.push_back(whole_part(k));
         } else {
           cells_->add(cell, {patch.box.size(), patch.allowed});
         }
@@ -116,7 +116,7 @@ class Certifier {
 
   BoxBounds bounds_over(const ParameterBox& box) {
     budget_.take_box();
-    return BoxBounds(enclosure_.enclose(box));
+    return BoxBounds(enclosure_->enclose(box));
   }
 
   /// Whether a bound of the distance from triangles is small enough. Notes it if so.
@@ -178,14 +178,16 @@ class Certifier {
     for (depth_ = 0; !parts_.empty() || !whole_.empty(); ++depth_) {
       is_short_ = depth_ == 0 || kShort * parts_.size() <= patches_.size() ||
                   (depth_ <= kMaxBrokenDepth && unproved_.gaps().empty());
-      const int most_halvings = broken_ <= kFewBoxes ? 2 * kHalvingsOfSecondOrder : kMaxBrokenDepth;
+      most_halvings_ = broken_ <= kFewBoxes ? 2 * kHalvingsOfSecondOrder : kMaxBrokenDepth;
       broken_ = 0;
-      for (Part& part : parts_) prove_in_level(part, patches_[part.patch], most_halvings);
-      for (const std::uint32_t k : std::exchange(whole_, {})) {
-        const Patch patch = patches_[k];
-        Part part{k, GapReason::Work, true, patch.box};
-        prove_in_level(part, patch, most_halvings);
+      const std::vector<std::uint32_t> whole = std::exchange(whole_, {});
+      const std::size_t parts = parts_.size();
+      std::vector<Part> some;
+      for (std::size_t k = 0; k < parts + whole.size(); ++k) {
+        some.push_back(k < parts ? std::move(parts_[k]) : whole_part(whole[k - parts]));
+        if (some.size() == kInBatch) prove_some(some);
       }
+      prove_some(some);
       measure();
       parts_.clear();
       for (const std::uint32_t patch : newly_refuted_) refute(patch);
@@ -198,9 +200,30 @@ class Certifier {
     }
   }
 
-  void prove_in_level(Part& part, const Patch& patch, int most_halvings) {
-    prove(part, patch, most_halvings);
-    if (bounded_.size() == kKeptAtATime) measure();
+  /// Proves parts of a level, and removes them from the list.
+  void prove_some(std::vector<Part>& some) {
+    const auto ahead = bounds_ahead(some);
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      prove(some[k], patches_[some[k].patch], ahead[k]);
+      if (bounded_.size() == kKeptAtATime) measure();
+    }
+    some.clear();
+  }
+
+  /// Bounds of the parts that are to be tested, as long as work is left.
+  std::vector<std::optional<BoxBounds>> bounds_ahead(std::span<const Part> some) {
+    std::vector<std::size_t> numbers;
+    const std::size_t most = budget_.boxes_left(is_short_);
+    for (std::size_t k = 0; k < some.size() && numbers.size() < most; ++k) {
+      if (!some[k].known && !is_refuted(some[k].patch)) numbers.push_back(k);
+    }
+    std::vector<std::optional<BoxBounds>> ahead(some.size());
+    enclosures_.in_chunks(numbers.size(), kSearchedTogether, threads_,
+                          [&](SurfaceEnclosure& enclosure, std::size_t begin, std::size_t end) {
+                            for (std::size_t i = begin; i < end; ++i)
+                              ahead[numbers[i]].emplace(enclosure.enclose(some[numbers[i]].box));
+                          });
+    return ahead;
   }
 
   /// Measures the points of bounded boxes. Patches that they refute stay in this level: its result
@@ -246,45 +269,35 @@ class Certifier {
     for (std::size_t k = 0; k < std::min(descents, worst.size()); ++k) {
       const UnprovedParts::Gap& gap = unproved_.gaps()[worst[k].second];
       const std::uint32_t patch = gap.patch;
-      ParameterBox box = unproved_.box_of(gap);
-      const Bounds corner = bounds_over({box.low, box.low}).hull;
-      BoxBounds bounds = bounds_over(box);
-      for (int depth = 0; depth < kHalvingsToNearly && !bounds.is_undefined; ++depth) {
-        const dvec2 way = bounds.slope * box.size();
-        const bool is_known = std::isfinite(way.x + way.y) && way.x != way.y;
-        const auto halves = halves_of(box, is_known ? (way.x > way.y ? 0 : 1) : depth % 2);
-        const BoxBounds first = bounds_over(halves[0]);
-        const BoxBounds second = bounds_over(halves[1]);
-        const bool is_second = second.farthest(corner.low) > first.farthest(corner.low);
-        box = halves[is_second ? 1 : 0];
-        bounds = is_second ? second : first;
-        if (bounds.extent() <= patches_[patch].allowed) break;
-      }
+      const auto bound = [this](const ParameterBox& box) { return bounds_over(box); };
+      const auto& [box, bounds] =
+          farthest_part(unproved_.box_of(gap), patches_[patch].allowed, bound);
       const dvec2 bend(bounds.bend.x, bounds.bend.z);
       unproved_.add_box({patch, box.middle(), box.size(), bend, false, false});
     }
   }
 
-  /// `most_halvings`: where the surface may be undefined or jump.
-  void prove(Part& part, const Patch& patch, int most_halvings) {
+  /// `ahead`: the bounds, if they are known.
+  void prove(Part& part, const Patch& patch, const std::optional<BoxBounds>& ahead) {
     if (is_refuted(part.patch)) return;
     if (budget_.is_spent(is_short_)) {
       if (untested_.empty() || unproved_.gaps()[untested_.back()].patch != part.patch)
         untested_.push_back(static_cast<std::uint32_t>(unproved_.gaps().size()));
-      return leave_unproved(part, patch, {dvec2(0), false});
+      return leave_unproved(part, patch, dvec2(0));
     }
     if (part.known && measure_later(part, patch.allowed, *part.known)) return;
-    const BoxBounds bounds = bounds_over(part.box);
+    if (ahead) budget_.take_box();
+    const BoxBounds bounds = ahead ? *ahead : bounds_over(part.box);
     const dvec2 bend(bounds.bend.x, bounds.bend.z);
     if (bounds.is_undefined) {
       part.why = GapReason::Undefined;
-      return leave_unproved(part, patch, {dvec2(0), true});
+      return leave_unproved(part, patch, dvec2(0), true);
     }
     if (bounds.broken) {
       part.why = *bounds.broken;
       if (measure_later(part, patch.allowed, bounds)) return;
       ++broken_;
-      if (depth_ >= most_halvings) return leave_unproved(part, patch, {bend, false});
+      if (depth_ >= most_halvings_) return leave_unproved(part, patch, bend);
       return halve_along(part, depth_ % 2, 1, next_);
     }
     const dvec2 size = part.box.size();
@@ -295,29 +308,17 @@ class Certifier {
                : bounds.may_crease ? GapReason::Crease
                                    : GapReason::Nonsmooth;
     if (measure_later(part, patch.allowed, bounds)) return;
-    if (depth_ >= kAllHalvings) return leave_unproved(part, patch, {bend, false});
+    if (depth_ >= kAllHalvings) return leave_unproved(part, patch, bend);
     const int times = arc > kHalvedTwice * patch.allowed && std::isfinite(arc) ? 2 : 1;
     halve(part, bounds.contributions(size), times, next_);
   }
 
   /// Puts a part on the list of boxes whose points are measured, if its bounds are narrow enough.
   bool measure_later(const Part& part, double tolerance, const BoxBounds& bounds) {
-    // A box in which the surface may be undefined or jump is no longer than two tolerances. A hole
-    // in it is at most one tolerance deep, and a mesh across a jump at most one off.
-    const double allowed = bounds.broken ? tolerance : kReach * tolerance;
-    const dvec2 size = part.box.size();
-    const dvec2 bend(bounds.bend.x, bounds.bend.z);
-    if (const auto cells = bounds.cells_within(size, allowed)) {
-      budget_.take_points(std::size_t{(*cells)[0] + 1} * ((*cells)[1] + 1));
-      bounded_.push_back({part.patch, part.box, *cells, bounds.reach(size, *cells), bend});
-    } else if (const double radius = 0.5 * bounds.extent(); radius <= allowed) {
-      const bool may_jump = bounds.broken == GapReason::Discontinuous;
-      budget_.take_points(may_jump ? 1 + kPlacesInBox.size() : 1);
-      bounded_.push_back(
-          {part.patch, part.box, {0, 0}, radius, bend, bounds.hull.centre(), may_jump});
-    } else {
-      return false;
-    }
+    const auto box = bounded_box(part.patch, part.box, bounds, tolerance);
+    if (!box) return false;
+    budget_.take_points(box->count_points());
+    bounded_.push_back(*box);
     if (!bounds.is_smooth) result_.rough[part.patch] = 1;
     measured_parts_.push_back(part);
     if (part.known.get() != &bounds)
@@ -352,16 +353,12 @@ class Certifier {
     result_.proved[patch] = 0;
   }
 
-  /// Findings about a box without a proof.
-  struct Known {
-    dvec2 bend{0};
-    bool is_undefined;
-  };
-  void leave_unproved(const Part& part, const Patch& patch, const Known& known) {
+  void leave_unproved(const Part& part, const Patch& patch, const dvec2& bend,
+                      bool is_undefined = false) {
     if (const auto why = patch.cut_by) return add_gap(*why, part.patch, part.box);
     const bool may_jump = part.why == GapReason::Discontinuous;
     unproved_.add_box(
-        {part.patch, part.box.middle(), part.box.size(), known.bend, known.is_undefined, may_jump});
+        {part.patch, part.box.middle(), part.box.size(), bend, is_undefined, may_jump});
     add_gap(part.why, part.patch, part.is_whole ? std::nullopt : std::optional(part.box));
   }
 
@@ -370,17 +367,20 @@ class Certifier {
   const std::optional<Bounds>& clip_;
   const MeasureBoxes& measure_;
   ProofBudget& budget_;
-  SurfaceEnclosure enclosure_;
-  std::optional<DemandsOfCells> cells_;        // until they are proved
-  std::vector<std::uint32_t> whole_;           // patches that follow the parts of the first level
-  std::vector<Part> parts_;                    // of this level
-  std::vector<Part> next_, next_of_measured_;  // of the next level, in this order
-  std::vector<std::uint32_t> untested_;        // gaps of patches, for which no work is left
-  std::vector<BoundedBox> bounded_;            // not measured yet
-  std::vector<Part> measured_parts_;           // of bounded_
-  std::vector<std::uint8_t> refuted_;          // 1 for each patch that is; empty: none is
-  std::vector<std::uint32_t> newly_refuted_;   // in this level
+  unsigned threads_;
+  SurfaceEnclosures enclosures_;
+  std::unique_ptr<SurfaceEnclosure> enclosure_;  // of this thread
+  std::optional<DemandsOfCells> cells_;          // until they are proved
+  std::vector<std::uint32_t> whole_;             // patches that follow the parts of the first level
+  std::vector<Part> parts_;                      // of this level
+  std::vector<Part> next_, next_of_measured_;    // of the next level, in this order
+  std::vector<std::uint32_t> untested_;          // gaps of patches, for which no work is left
+  std::vector<BoundedBox> bounded_;              // not measured yet
+  std::vector<Part> measured_parts_;             // of bounded_
+  std::vector<std::uint8_t> refuted_;            // 1 for each patch that is; empty: none is
+  std::vector<std::uint32_t> newly_refuted_;     // in this level
   int depth_ = 0;
+  int most_halvings_ = 0;   // where the surface may be undefined or jump
   bool is_short_ = true;    // this level
   std::size_t broken_ = 0;  // boxes of this level where the surface may be undefined or jump
   UnprovedParts unproved_;

@@ -15,6 +15,7 @@
 
 #include "base/bounds.h"
 #include "mesh/model/proof_gap.h"
+#include "mesh/proof/bounded_box.h"
 #include "mesh/proof/proof_budget.h"
 #include "mesh/proof/root_cells.h"
 #include "mesh/proof/unproved_parts.h"
@@ -24,22 +25,6 @@
 
 namespace saddle {
 
-/// A proved surface is within 4 tolerances of its triangles. Points are within one. The rest is for
-/// bounds, which also count derivatives along the surface, and for the folds between triangles.
-inline constexpr double kProofFactor = 4;
-
-/// A part of a patch, divided into equal rectangles. Over each the surface is within `reach` of the
-/// convex hull of its corners. With 0 cells along an axis, these are in the middle of its range.
-struct BoundedBox {
-  std::size_t patch;
-  ParameterBox box;
-  std::array<std::uint32_t, 2> cells;  ///< along u and along v
-  double reach;
-  dvec2 bend;                     ///< bounds of |r_uu| and |r_vv|
-  std::optional<dvec3> centre{};  ///< in place of the corners: of a sphere of radius `reach`
-  bool may_jump = false;  ///< within the sphere; not set where the surface may be undefined, too
-};
-
 /// Measures points of bounded boxes. Proved: the surface in the box is within kProofFactor
 /// tolerances of the triangles of its patch. Refuted: a point is off by more than the tolerance.
 using MeasureBoxes = std::function<std::vector<ProofOutcome>(std::span<const BoundedBox>)>;
@@ -48,6 +33,7 @@ using MeasureBoxes = std::function<std::vector<ProofOutcome>(std::span<const Bou
 struct BoxHandlers {
   MeasureBoxes measure;
   TakeUnproved take_unproved;
+  unsigned threads = 0;  ///< that compute bounds
 };
 
 struct Certification {

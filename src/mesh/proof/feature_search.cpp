@@ -56,12 +56,21 @@ std::vector<SearchedPart> FeatureSearch::widest(
     const std::function<SearchedPart(std::size_t)>& part) {
   FirstRanked wide(most);
   FirstRanked within(others);
-  for (std::size_t k = 0; k < count; ++k) {
-    const SearchedPart of = part(k);
-    const Bounds hull = hulls_.over(of.box);
-    const double room = of.scale * room_beyond(of.around, hull);
-    const double length = of.scale * hull.diagonal();
-    room > least_ ? wide.add(-room, k) : within.add(-length, k);
+  std::vector<SearchedPart> some;
+  std::vector<ParameterBox> boxes;
+  for (std::size_t first = 0; first < count; first += some.size()) {
+    some.clear();
+    boxes.clear();
+    for (std::size_t k = first; k < std::min(first + kInBatch, count); ++k) {
+      some.push_back(part(k));
+      boxes.push_back(some.back().box);
+    }
+    const std::vector<Bounds> hulls = hulls_.over(boxes, threads_);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      const double room = some[i].scale * room_beyond(some[i].around, hulls[i]);
+      const double length = some[i].scale * hulls[i].diagonal();
+      room > least_ ? wide.add(-room, first + i) : within.add(-length, first + i);
+    }
   }
   std::vector<SearchedPart> kept;
   for (const auto& [room, k] : wide.sorted()) kept.push_back(part(k));
@@ -77,8 +86,9 @@ double FeatureSearch::limit() const {
 }
 
 /// The surface over a box is within half of the diagonal of its bounds from their middle.
-double FeatureSearch::bound_over(const SearchedPart& part, const ParameterBox& box) {
-  const std::span<const Interval> of = enclosure_.enclose(box);
+double FeatureSearch::bound_over(const SearchedPart& part, const ParameterBox& box,
+                                 SurfaceEnclosure& enclosure) const {
+  const std::span<const Interval> of = enclosure.enclose(box);
   const Bounds hull = hull_of(of);
   const double room = part.scale * room_beyond(part.around, hull);
   if (part.sticks_out && room <= least_) return 0;
@@ -91,12 +101,20 @@ double FeatureSearch::bound_over(const SearchedPart& part, const ParameterBox& b
   return part.scale * (distance_(part, box.middle(), hull.centre(), known) + radius);
 }
 
-std::array<FeatureSearch::Node, 2> FeatureSearch::halves(const Node& node) {
-  const auto boxes = halves_of(node.box, node.depth % 2);
-  const auto half = [&](const ParameterBox& box) {
-    return Node{node.part, box, node.depth + 1, bound_over(*node.part, box)};
-  };
-  return {half(boxes[0]), half(boxes[1])};
+std::vector<std::array<FeatureSearch::Node, 2>> FeatureSearch::halves_of_each(
+    std::span<const Node> nodes) {
+  std::vector<std::array<Node, 2>> halves(nodes.size());
+  enclosures_.in_chunks(nodes.size(), kFirstSearched, threads_,
+                        [&](SurfaceEnclosure& enclosure, std::size_t begin, std::size_t end) {
+                          for (std::size_t k = begin; k < end; ++k) {
+                            const Node& node = nodes[k];
+                            const auto boxes = halves_of(node.box, node.depth % 2);
+                            for (std::size_t i = 0; i < 2; ++i)
+                              halves[k][i] = {node.part, boxes[i], node.depth + 1,
+                                              bound_over(*node.part, boxes[i], enclosure)};
+                          }
+                        });
+  return halves;
 }
 
 void FeatureSearch::keep(const Node& node) {
@@ -141,31 +159,46 @@ std::vector<double> FeatureSearch::measure(std::span<const Sample> samples) cons
 std::vector<PlacedError> FeatureSearch::dive(std::span<const SearchedPart> parts) {
   std::vector<PlacedError> found(parts.size());
   std::vector<Node> nodes;
+  std::unique_ptr<SurfaceEnclosure> enclosure = enclosures_.take();
   for (const SearchedPart& part : parts)
-    nodes.push_back({&part, part.box, 0, bound_over(part, part.box)});
+    nodes.push_back({&part, part.box, 0, bound_over(part, part.box, *enclosure)});
+  enclosures_.give_back(std::move(enclosure));
   for (int depth = 0; depth < 2 * kHalvingsToNearly && surface_.may_go_on(); ++depth) {
     std::vector<std::size_t> active;
-    std::vector<Sample> samples;
+    std::vector<Node> halved;
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      const double known = std::max(least_, found[k].distance);
-      if (!(nodes[k].bound > kMatters * known)) continue;
-      const auto [first, second] = halves(nodes[k]);
-      const bool is_second = second.bound > first.bound;
-      nodes[k] = is_second ? second : first;
-      keep(is_second ? first : second);
+      if (!(nodes[k].bound > kMatters * std::max(least_, found[k].distance))) continue;
       active.push_back(k);
-      samples.push_back({nodes[k].part, sample_of(nodes[k].box), known});
+      halved.push_back(nodes[k]);
+    }
+    const auto halves = halves_of_each(halved);
+    std::vector<Sample> samples;
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      const auto& [first, second] = halves[i];
+      const bool is_second = second.bound > first.bound;
+      Node& node = nodes[active[i]];
+      node = is_second ? second : first;
+      keep(is_second ? first : second);
+      samples.push_back(
+          {node.part, sample_of(node.box), std::max(least_, found[active[i]].distance)});
     }
     if (active.empty()) break;
-    const std::vector<double> distances = measure(samples);
-    for (std::size_t i = 0; i < active.size(); ++i) {
-      PlacedError& of = found[active[i]];
-      if (!(distances[i] > of.distance)) continue;
-      of = {distances[i], samples[i].uv};
-      if (of.distance > worst_.distance) worst_ = of;
-    }
+    take_larger(samples, active, found);
   }
   return found;
+}
+
+/// Measures samples, and keeps the larger distances: `numbers` of the samples among `found`.
+void FeatureSearch::take_larger(std::span<const Sample> samples,
+                                std::span<const std::size_t> numbers,
+                                std::span<PlacedError> found) {
+  const std::vector<double> distances = measure(samples);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    PlacedError& of = found[numbers[i]];
+    if (!(distances[i] > of.distance)) continue;
+    of = {distances[i], samples[i].uv};
+    if (of.distance > worst_.distance) worst_ = of;
+  }
 }
 
 PlacedError FeatureSearch::climb_on_lines(std::span<const SearchedPart> parts,
@@ -220,9 +253,8 @@ void FeatureSearch::climb(std::span<Climb> climbs, const std::function<bool()>& 
 
 PlacedError FeatureSearch::search(std::size_t boxes) {
   for (std::size_t tested = 0; tested < boxes && !open_.empty();) {
-    std::vector<Sample> samples;
-    std::vector<Node> next;
-    while (samples.size() < kSearchedTogether && !open_.empty()) {
+    std::vector<Node> some;
+    while (some.size() < kSearchedTogether && !open_.empty()) {
       std::ranges::pop_heap(open_, std::ranges::less(), &Node::bound);
       const Node node = open_.back();
       open_.pop_back();
@@ -230,8 +262,13 @@ PlacedError FeatureSearch::search(std::size_t boxes) {
         open_.clear();
         break;
       }
-      tested += 2;
-      for (const Node& half : halves(node)) {
+      some.push_back(node);
+    }
+    tested += 2 * some.size();
+    std::vector<Sample> samples;
+    std::vector<Node> next;
+    for (const auto& halves : halves_of_each(some)) {
+      for (const Node& half : halves) {
         if (!(half.bound > limit())) continue;
         next.push_back(half);
         samples.push_back({half.part, sample_of(half.box), std::max(least_, worst_.distance)});

@@ -32,6 +32,7 @@ struct SearchedPart {
 class FeatureSearch {
  public:
   /// The distance of a position over a part from the mesh. If it is above `known`, it is exact.
+  /// Called from several threads.
   using Distance = std::function<double(const SearchedPart& part, const dvec2& uv,
                                         const dvec3& position, double known)>;
   /// Scaled distances of up to `least` do not count, nor does the surface outside of `clip`, which
@@ -44,7 +45,7 @@ class FeatureSearch {
         least_(least),
         clip_(clip),
         threads_(threads),
-        enclosure_(surface, Bounded::Position) {}
+        enclosures_(surface, Bounded::Position) {}
 
   /// At most `most` of `count` parts over which bounds exceed the triangles by more than `least`,
   /// those with most room first; then the other parts with the longest bounds, `others` at most, in
@@ -89,9 +90,12 @@ class FeatureSearch {
     double step;
   };
   void climb(std::span<Climb> climbs, const std::function<bool()>& may_go_on);
-  double bound_over(const SearchedPart& part, const ParameterBox& box);
-  std::array<Node, 2> halves(const Node& node);
+  double bound_over(const SearchedPart& part, const ParameterBox& box,
+                    SurfaceEnclosure& enclosure) const;
+  std::vector<std::array<Node, 2>> halves_of_each(std::span<const Node> nodes);
   void keep(const Node& node);
+  void take_larger(std::span<const Sample> samples, std::span<const std::size_t> numbers,
+                   std::span<PlacedError> found);
   std::vector<double> distances_of(std::span<const Sample> samples) const;
   std::vector<double> measure(std::span<const Sample> samples) const;
   double limit() const;
@@ -102,7 +106,7 @@ class FeatureSearch {
   double least_;
   const std::optional<Bounds>& clip_;
   unsigned threads_;
-  SurfaceEnclosure enclosure_;
+  SurfaceEnclosures enclosures_;
   std::vector<Node> open_;  // a heap
   PlacedError worst_;
 };

@@ -45,6 +45,11 @@ void ProofBudget::allow_for(std::size_t effort) {
   most_of_short_ = static_cast<std::size_t>(share_ * kLeastPlacesOfShort + of_mesh);
 }
 
+std::size_t ProofBudget::boxes_left(bool is_short) const {
+  if (is_spent(is_short)) return 0;
+  return ((is_short ? most_of_short_ : most_) - spent_ - 1) / of_box_ + 1;
+}
+
 void ProofBudget::take_box() {
   ++boxes_;
   spent_ += of_box_;

@@ -23,6 +23,8 @@ class ProofBudget {
     return spent_ >= (is_short ? most_of_short_ : most_) || (count_ && count_->is_used_up()) ||
            shortage() == Shortage::Time;
   }
+  /// The boxes of a level that is_spent() leaves, if they take no points; none if no time is left.
+  std::size_t boxes_left(bool is_short) const;
   void take_box();
   void take_points(std::size_t count);
   /// Nodes of a tree of triangles; these have as much work to themselves as short levels.

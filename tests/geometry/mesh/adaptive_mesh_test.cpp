@@ -278,15 +278,25 @@ TEST(AdaptiveMesh, FollowsTheEdgeOfTheDomainWhateverTheSurfaceDoesInside) {
   EXPECT_NEAR(area_of_mesh, 0.75 * kPi, *result.report.tolerance * 2 * kPi * 1.5);
 }
 
+/// Searches, validation and proofs share out sides, leaves and boxes.
 TEST(AdaptiveMesh, IsTheSameForAnyNumberOfThreads) {
-  MeshRequest options = within_share(1e-3, 3);
-  const Surface surface = surface_of(cases().back());
-  options.threads = 1;
-  const MeshResult one = try_mesh(surface, options).value();
-  options.threads = 3;
-  const MeshResult three = try_mesh(surface, options).value();
-  EXPECT_EQ(one.mesh.position, three.mesh.position);
-  EXPECT_EQ(one.mesh.triangles, three.mesh.triangles);
+  std::vector<Surface> surfaces = {surface_of(cases().back())};
+  for (const char* z : {"sqrt(0.5-u*u-v*v)+floor(3*u+v)/4", "abs(sin(9*u)*sin(9*v))", "1/(u-v*v)",
+                        "tanh(300*(u-v))+exp(-900*(u*u+v*v))"})
+    surfaces.push_back(height_field(z));
+  for (const Surface& surface : surfaces) {
+    MeshRequest options = within_share(1e-3, 3);
+    options.clip = Bounds{{-2, -2, -2}, {2, 2, 2}};
+    options.threads = 1;
+    const MeshResult one = try_mesh(surface, options).value();
+    options.threads = 3;
+    const MeshResult three = try_mesh(surface, options).value();
+    EXPECT_EQ(one.mesh.position, three.mesh.position);
+    EXPECT_EQ(one.mesh.triangles, three.mesh.triangles);
+    EXPECT_EQ(one.report.max_error, three.report.max_error);
+    EXPECT_EQ(one.report.proved_fraction, three.report.proved_fraction);
+    EXPECT_GT(three.mesh.triangles.size(), 500U);  // enough to share
+  }
 }
 
 MeshResult with_few_samples_in_memory(const Surface& surface, MeshRequest request) {
