@@ -38,10 +38,12 @@ Facts gather_facts(const Surface& surface, const Mesh& mesh, const MeshReport& r
   Facts facts;
   facts.domain = surface.domain;
   facts.defined = prove_defined(surface, static_cast<std::size_t>(share * kBoxes));
-  facts.topology = topology(mesh);
+  Parts parts;
+  facts.topology = topology(mesh, &parts);
+  facts.turns_over = parts.turn_over();
   Covered covered = report.undefined_fraction == 0 ? Covered::Whole : Covered::Defined;
   if (is_clipped || report.pole_count > 0) covered = Covered::Part;
-  facts.measures = measure_surface(surface, mesh, covered, threads, share);
+  facts.measures = measure_surface(surface, mesh, parts, covered, threads, share);
   facts.singular = singular_places(surface, mesh, report);
   facts.singular_u = report.singular_u;
   facts.singular_v = report.singular_v;

@@ -30,6 +30,7 @@ struct Facts {
   std::string range_v;  ///< as it was written, where its ends depend on u
   DefinedShare defined;
   Topology topology;
+  bool turns_over = false;  ///< Parts::turn_over()
   Measures measures;
   std::vector<SingularPlace> singular;  ///< those of the mesh's report
   std::vector<double> singular_u, singular_v;

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,9 +44,12 @@ std::array<RadonNode, 7> radon_rule() {
 
 class SampleMeasurer {
  public:
-  SampleMeasurer(const Surface& surface, const Mesh& mesh, unsigned threads, double share)
+  SampleMeasurer(const Surface& surface, const Mesh& mesh, const Parts& parts, unsigned threads,
+                 double share)
       : surface_(surface),
         mesh_(mesh),
+        parts_(parts),
+        turns_over_(parts.turn_over()),
         threads_(threads),
         share_(share),
         centre_(mesh.bounds.centre()) {}
@@ -62,6 +68,7 @@ class SampleMeasurer {
     Integrals all = integrate_domain(surface_, centre_, mesh_.bounds.diagonal(), threads_, share_);
     result_.evaluations += all.evaluations;
     if (surface_.flip) all.volume.value = -all.volume.value;
+    if (turns_over_) all.volume = result_.volume;
     const double off = std::fabs(all.area.value - result_.area.value);
     const bool is_better =
         off <= kSpoilt * result_.area.value && all.area.error <= std::max(off, result_.area.error);
@@ -81,6 +88,11 @@ class SampleMeasurer {
     for (std::size_t begin = 0; begin < mesh_.triangles.size(); begin += kTriangleBlock) {
       integrate(std::span(mesh_.triangles)
                     .subspan(begin, std::min(kTriangleBlock, mesh_.triangles.size() - begin)));
+    }
+    for (const auto& [part, sides] : turning_) {
+      const double sign = sides.turns_over && sides.flat < 0 ? -1 : 1;
+      flat_.volume += sign * sides.flat;
+      result_.volume.value += sign * sides.exact;
     }
     result_.area.error = std::fabs(result_.area.value - flat_.area);
     result_.volume.error = std::fabs(result_.volume.value - flat_.volume);
@@ -121,9 +133,23 @@ class SampleMeasurer {
     const bool usable = std::fabs(area - flat) <= kSpoilt * flat && std::isfinite(volume);
     const double flat_volume = glm::dot(a, flat_area) / 3;
     result_.area.value += usable ? area : flat;
-    result_.volume.value += usable ? volume : flat_volume;
     flat_.area += flat;
-    flat_.volume += flat_volume;
+    add_volume(&t - mesh_.triangles.data(), usable ? volume : flat_volume, flat_volume);
+  }
+
+  /// Where front and back change places within a part, the volume is that of its outside.
+  void add_volume(std::ptrdiff_t triangle, double exact, double flat) {
+    if (!turns_over_) {
+      result_.volume.value += exact;
+      flat_.volume += flat;
+      return;
+    }
+    const auto t = static_cast<std::size_t>(triangle);
+    const double sign = parts_.turned[t] != 0 ? -1 : 1;
+    Volume& part = turning_[parts_.first[t]];
+    part.turns_over = part.turns_over || parts_.turned[t] != 0;
+    part.exact += sign * exact;
+    part.flat += sign * flat;
   }
 
   void find_ranges(Covered covered) {
@@ -146,6 +172,8 @@ class SampleMeasurer {
 
   const Surface& surface_;
   const Mesh& mesh_;
+  const Parts& parts_;
+  bool turns_over_;
   unsigned threads_;
   double share_;
   dvec3 centre_;  // volumes are taken around it, which keeps their digits far from the origin
@@ -154,14 +182,21 @@ class SampleMeasurer {
     double area = 0;
     double volume = 0;
   } flat_;  // of the triangles themselves
+  /// The volume of a part, with the front where its first triangle has it.
+  struct Volume {
+    double exact = 0;
+    double flat = 0;
+    bool turns_over = false;  ///< front and back change places within it
+  };
+  std::map<std::uint32_t, Volume> turning_;  // by the first triangle
   Measures result_;
 };
 
 }  // namespace
 
-Measures measure_surface(const Surface& surface, const Mesh& mesh, Covered covered,
-                         unsigned threads, double share) {
-  return SampleMeasurer(surface, mesh, threads, share).run(covered);
+Measures measure_surface(const Surface& surface, const Mesh& mesh, const Parts& parts,
+                         Covered covered, unsigned threads, double share) {
+  return SampleMeasurer(surface, mesh, parts, threads, share).run(covered);
 }
 
 }  // namespace saddle

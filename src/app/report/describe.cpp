@@ -227,6 +227,11 @@ std::string thick(const SolidReport& s) {
   return text;
 }
 
+std::string sides(const Facts& facts) {
+  if (!facts.topology.orientable) return "one: the surface is not orientable";
+  return facts.turns_over ? "two, but front and back change places within it" : "two";
+}
+
 }  // namespace
 
 std::vector<std::string> describe(const SurfaceReport& s, const Mesh& triangles) {
@@ -244,7 +249,7 @@ std::vector<std::string> describe(const SurfaceReport& s, const Mesh& triangles)
   line("jumps", words::jumps(s.mesh, facts.domain));
   line("singular", words::singular(facts, s.bounds.diagonal()));
   line("seams", seams(s));
-  line("sides", facts.topology.orientable ? "two" : "one: the surface is not orientable");
+  line("sides", sides(facts));
   line("shape", shape(facts));
   line("extents", extents(facts.measures.extents));
   const double size = s.bounds.diagonal();

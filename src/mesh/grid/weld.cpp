@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include "mesh/features/removable.h"
@@ -172,14 +173,28 @@ void unite(Grid& grid, const EdgePair& edges, const Seam& seam, PointUnion& poin
   }
 }
 
-/// Unites the vertices of two edges that meet. Returns how they meet.
+/// Whether the surface goes on across a seam without a crease, wherever its normals are known.
+bool goes_on_smoothly(const Grid& grid, const EdgePair& edges, const Seam& seam) {
+  for (std::size_t k = 0; k < edges.first.count; ++k) {
+    const dvec3& first = grid.mesh.normal[edges.first[k]];
+    const dvec3& last = grid.mesh.normal[edges.partner(k, seam)];
+    if (glm::length(glm::cross(first, last)) > kClose) return false;  // not so for NaN
+  }
+  return true;
+}
+
+/// Unites the vertices of two edges that meet. Returns how they meet. An edge that lies on itself
+/// meets another both ways: the surface goes on along one of them.
 Seam join_edges(const Surface& surface, Grid& grid, const EdgePair& edges, PointUnion& points) {
+  Seam found;
   for (const Seam& seam : kSeams) {
     if (!edges_meet(surface, grid, edges, seam)) continue;
-    unite(grid, edges, seam, points);
-    return seam;
+    const bool is_smooth = goes_on_smoothly(grid, edges, seam);
+    if (is_smooth || !found.closed) found = seam;
+    if (is_smooth) break;
   }
-  return {};
+  if (found.closed) unite(grid, edges, found, points);
+  return found;
 }
 
 /// Unites the halves of an edge that is folded and no point. Its middle is a vertex, or a side of

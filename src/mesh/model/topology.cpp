@@ -191,6 +191,10 @@ class TopologyFinder {
 
 }  // namespace
 
+bool Parts::turn_over() const {
+  return std::ranges::any_of(turned, [](std::uint8_t is_turned) { return is_turned != 0; });
+}
+
 Topology topology(const Mesh& mesh, Parts* parts) {
   TopologyFinder finder(mesh);
   const Topology result = finder.find();

@@ -28,6 +28,10 @@ struct Parts {
   std::vector<std::uint8_t> turned;   ///< its winding is opposite to that triangle's
   std::vector<std::uint8_t> is_open;  ///< of that triangle: an edge of the part has not two sides
   std::vector<std::uint8_t> is_one_sided;  ///< of that triangle: the part is
+
+  /// Whether front and back change places within a part, as where a sphere's range of longitudes
+  /// ends at pi and that of its latitudes goes all around.
+  bool turn_over() const;
 };
 
 /// `parts`: filled in, if given.

@@ -1,13 +1,16 @@
 #include "mesh/sizing/find_seams.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include "mesh/features/removable.h"
 #include "mesh/model/tolerances.h"
+#include "surface/normal.h"
 
 namespace saddle {
 namespace {
@@ -30,6 +33,13 @@ class ComparedPlaces {
     if (glm::length(gap) <= kSame * diagonal_) return true;  // false for NaN
     return glm::length(gap) <= kMostRounding * diagonal_ &&
            glm::all(glm::lessThanEqual(gap, rounding(a) + rounding(b)));
+  }
+  /// Whether the surface has no crease between two places on either side of a seam, if both have a
+  /// normal.
+  bool share_tangents(std::size_t a, std::size_t b) const {
+    const auto first = normal_direction(points_[a]);
+    const auto second = normal_direction(points_[b]);
+    return !first || !second || glm::length(glm::cross(*first, *second)) <= kClose;
   }
   std::size_t size() const { return uv_.size(); }
 
@@ -54,14 +64,22 @@ Seam find_seam(const Surface& surface, double diagonal, bool along_v) {
     for (const Seam& seam : kSeams) add(1, seam.partner(along, 1.0));
   }
   const ComparedPlaces places(surface, diagonal, std::move(uv));
-  for (std::size_t kind = 0; kind < kSeams.size(); ++kind) {
-    const auto meets = [&](std::size_t place) {
+  const auto holds_everywhere = [&](std::size_t kind, const auto& holds) {
+    return std::ranges::all_of(std::array{0, 1, 2, 3}, [&](std::size_t place) {
       const std::size_t first = place * (1 + kSeams.size());
-      return places.meet(first, first + 1 + kind);
-    };
-    if (meets(0) && meets(1) && meets(2) && meets(3)) return kSeams[kind];
+      return holds(first, first + 1 + kind);
+    });
+  };
+  const auto meet = [&](std::size_t a, std::size_t b) { return places.meet(a, b); };
+  const auto are_smooth = [&](std::size_t a, std::size_t b) { return places.share_tangents(a, b); };
+  // An edge that lies on itself joins another both ways: the surface goes on along one of them.
+  Seam found;
+  for (std::size_t kind = 0; kind < kSeams.size(); ++kind) {
+    if (!holds_everywhere(kind, meet)) continue;
+    if (holds_everywhere(kind, are_smooth)) return kSeams[kind];
+    if (!found.closed) found = kSeams[kind];
   }
-  return {};
+  return found;
 }
 
 /// Whether each half of an edge lies on the other. An edge that is a point is not folded.

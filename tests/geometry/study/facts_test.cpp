@@ -275,6 +275,28 @@ TEST(Facts, SheetsThatTouchInAPointArePinched) {
   EXPECT_EQ(facts_of(scene_of("klein-bottle")).topology.pinched_points, 0U);
 }
 
+TEST(Facts, VolumeIsThatOfTheOutsideWhereFrontAndBackChangePlaces) {
+  // Longitudes up to pi, and latitudes all around: the front is outside on one half.
+  const Facts sphere = facts_of(
+      scene_over({"2*cos(u)*sin(v)", "sin(u)*sin(v)", "cos(v)+9"}, {"0", "pi"}, {"0", "2*pi"}));
+  EXPECT_TRUE(sphere.turns_over);
+  const Estimate volume = sphere.measures.volume;  // of its triangles
+  EXPECT_NEAR(volume.value, 8 * kPi / 3, volume.error);
+  EXPECT_LT(volume.error, 0.03);
+  EXPECT_FALSE(facts_of(scene_of("sphere")).turns_over);
+  EXPECT_FALSE(facts_of(scene_of("klein-bottle")).topology.orientable);
+}
+
+/// The edge u=0 is a segment there and back: two seams fit it, and one of them is a crease.
+TEST(Facts, ASeamThatFitsBothWaysIsTheSmoothOne) {
+  const Facts cross_cap =
+      facts_of(scene_over({"sin(u)*sin(2*v)/2", "sin(2*u)*cos(v)^2", "cos(2*u)*cos(v)^2"},
+                          {"0", "pi"}, {"-pi/2", "pi/2"}));
+  EXPECT_FALSE(cross_cap.topology.orientable);
+  EXPECT_EQ(cross_cap.topology.euler_number, 1);
+  EXPECT_EQ(cross_cap.closed, Closed::Yes);
+}
+
 TEST(Facts, SingularPlacesHaveTheLimitsOfTheirSides) {
   for (const SingularPlace& pole : facts_of(scene_of("sphere")).singular) {
     ASSERT_EQ(pole.normals.size(), 1U);
