@@ -54,7 +54,7 @@ struct Search {
   int steps = 0;               ///< since heights were first known
   int misses = 0;              ///< evaluations that gave no value
   bool is_missed = false;      ///< the last one gave none
-  bool is_between = false;     ///< there is no value between the ends
+  bool is_between = false;     ///< between the ends there is no value, or one of its own
   bool has_passed_by = false;  ///< LocatedDiscontinuity::has_passed_by
 };
 
@@ -149,6 +149,19 @@ bool is_in_first_part(Search& search, const Look& look, double first_gap, double
   return first_gap >= last_gap;
 }
 
+/// Whether a place is on a jump and has a value between those beside it, as sign(0) is: what is
+/// left of the line is short, and slopes do not explain its gap, though both parts are small.
+bool is_value_of_its_own(const Search& search, const Look& look, double first_gap, double last_gap,
+                         double delta) {
+  if (!look.slope || search.length > kNearly) return false;
+  if (gap_between(search.at_ends[0], search.at_ends[1]) < delta) return false;
+  const double first = unexplained_gap(look.value - search.at_ends[0], first_gap, search.slopes[0],
+                                       *look.slope, search.length * search.share);
+  const double last = unexplained_gap(search.at_ends[1] - look.value, last_gap, *look.slope,
+                                      search.slopes[1], search.length * (1 - search.share));
+  return first + last >= delta;
+}
+
 /// Goes on with one of the parts.
 void advance(Search& search, const Look& look, const BisectedVector& bisected) {
   const double delta = bisected.delta;
@@ -168,7 +181,12 @@ void advance(Search& search, const Look& look, const BisectedVector& bisected) {
   search.is_missed = false;
   const double first = gap_between(search.at_ends[0], look.value);
   const double second = gap_between(look.value, search.at_ends[1]);
-  if (std::max(first, second) < delta) return finish(search, Discontinuity::None);
+  if (std::max(first, second) < delta) {
+    // look_outward() tells it from rounding.
+    search.is_between = bisected.halvings >= kAllHalvings &&
+                        is_value_of_its_own(search, look, first, second, delta);
+    return finish(search, search.is_between ? Discontinuity::Jump : Discontinuity::None);
+  }
   const std::size_t replaced = is_in_first_part(search, look, first, second, bisected) ? 1 : 0;
   search.ends[replaced] = look.uv;
   search.at_ends[replaced] = look.value;
