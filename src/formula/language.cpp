@@ -156,6 +156,8 @@ constexpr std::array kAliases = {
     Alias{"lerp", "mix"},      Alias{"tgamma", "gamma"},    Alias{"mean", "avg"},
     Alias{"average", "avg"},   Alias{"derivative", "diff"}, Alias{"D", "diff"},
     Alias{"int", "trunc"},     Alias{"j0", "besselj0"},     Alias{"j1", "besselj1"},
+    Alias{"and", "&&"},        Alias{"or", "||"},           Alias{"not", "!"},
+    Alias{"true", "1"},        Alias{"false", "0"},
 };
 
 }  // namespace

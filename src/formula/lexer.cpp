@@ -33,9 +33,10 @@ constexpr std::array kSpellings = {
     Spelling{",", TokenKind::Comma, ","},      Spelling{"·", TokenKind::Operator, "*"},
     Spelling{"⋅", TokenKind::Operator, "*"},   Spelling{"×", TokenKind::Operator, "*"},
     Spelling{"÷", TokenKind::Operator, "/"},   Spelling{"−", TokenKind::Operator, "-"},
-    Spelling{"≤", TokenKind::Operator, "<="},  Spelling{"≥", TokenKind::Operator, ">="},
-    Spelling{"≠", TokenKind::Operator, "!="},  Spelling{"π", TokenKind::Name, "pi"},
-    Spelling{"∞", TokenKind::Name, "inf"},     Spelling{"ⅈ", TokenKind::Name, "ⅈ"},
+    Spelling{"–", TokenKind::Operator, "-"},   Spelling{"≤", TokenKind::Operator, "<="},
+    Spelling{"≥", TokenKind::Operator, ">="},  Spelling{"≠", TokenKind::Operator, "!="},
+    Spelling{"π", TokenKind::Name, "pi"},      Spelling{"∞", TokenKind::Name, "inf"},
+    Spelling{"ⅈ", TokenKind::Name, "ⅈ"},
 };
 
 constexpr std::array<std::string_view, 10> kSuperscripts = {"⁰", "¹", "²", "³", "⁴",

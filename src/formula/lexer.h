@@ -1,5 +1,5 @@
 // A formula's text as tokens with their places. The usual ways to write * and ^ on paper or in
-// other programs are understood here: 2u, 3(u+1), u**2, π, ², ·, ×, −, ≤, and names in Greek.
+// other programs are understood here: 2u, 3(u+1), u**2, π, ², ·, ×, −, –, ≤, and names in Greek.
 #pragma once
 
 #include <set>

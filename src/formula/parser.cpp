@@ -283,8 +283,8 @@ class Lifter {
   void check_count(std::size_t index, std::size_t count, std::size_t least,
                    std::size_t most) const {
     if (count >= least && count <= most) return;
-    std::string hint;
-    if (count > most) hint = hint_beside_comma(tokens_, index, brackets_.close_of[index + 1], "");
+    std::string hint = tokens_[index].text == "atan" ? "the angle of a point is atan2(y,x)" : "";
+    if (count > most) hint = hint_beside_comma(tokens_, index, brackets_.close_of[index + 1], hint);
     const std::string wanted = std::to_string(least) + (least == 1 ? " argument" : " arguments");
     throw formula_.error("'" + tokens_[index].text + "' takes " +
                              (most > least ? "at least " : "") + wanted + ", not " +

@@ -44,6 +44,9 @@ INSTANTIATE_TEST_SUITE_P(
                       Mistake{"sine(u)", "sine", "unknown name",
                               "did you mean 'sin'? known functions"},
                       Mistake{"Cos(u)", "Cos", "unknown name", "did you mean 'cos'?"},
+                      Mistake{"u and v", "and", "unknown name", "did you mean '&&'?"},
+                      Mistake{"(not u)+1", "not", "unknown name", "did you mean '!'?"},
+                      Mistake{"atan(v,u)", "atan", "takes 1 argument, not 2", "atan2(y,x)"},
                       Mistake{"sin u", "sin", "needs its argument in brackets", "sin(u)"},
                       Mistake{"u mod 2", "mod", "needs its argument in brackets", "write mod(u,2)"},
                       Mistake{"sin²(u)", "sin", "needs its argument in brackets", "sin(...)²"},
@@ -133,6 +136,7 @@ TEST(Parser, UnderstandsHowPeopleWrite) {
   EXPECT_EQ(testing::value("u¹²", 2), 4096);
   EXPECT_EQ(testing::value("u⁻¹+v⁻²", 4, 2), 0.5);
   EXPECT_EQ(testing::value("2·u×v−1", 3, 4), 23);
+  EXPECT_EQ(testing::value("u–v", 3, 4), -1);
   EXPECT_EQ(testing::value("π"), 3.141592653589793);
   EXPECT_EQ(testing::value("τ/π"), 2);
   EXPECT_EQ(testing::value("φ"), testing::value("phi"));
