@@ -144,7 +144,7 @@ class MeshFindings {
       warn(Kind::Undefined, undefined_part(result_, domain_)).share = report_.unexpected_fraction();
     }
     if (report_.flat_triangles == 0) return;
-    const std::size_t triangles = 2 * report_.cells;
+    const std::size_t triangles = report_.flat_triangles + result_.mesh.triangles.size();
     Finding& flat = warn(
         Kind::Flat, std::to_string(report_.flat_triangles) + " of " + std::to_string(triangles) +
                         " triangles have no area in double precision and are left out");
