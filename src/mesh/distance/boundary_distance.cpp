@@ -50,24 +50,19 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
     return add_at_jump(leaf, number, triangles, allowed);
   if (leaf.state.cut() != LeafCut::Boundary) return;
   if (strips_.add(leaf, number, triangles, allowed)) {
-    if (triangles.empty()) add_bulges(leaf, number);  // the strip may end before the first line
+    if (triangles.empty())
+      add_bulges(leaf, number, allowed);  // the strip may end before the first line
   } else if (triangles.empty()) {
-    add_omitted(leaf, number);
+    add_omitted(leaf, number, allowed, false);
   } else {
     add_chords(leaf, number, triangles, FeatureKind::Boundary, allowed);
   }
 }
 
-void BoundaryDistance::add_omitted(const Leaf& leaf, std::size_t number) {
-  add_bulges(leaf, number);
-  omitted_.push_back(number);
-  const dvec2 low = tree_.vertices().parameters(leaf.low);
-  const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
-  for (const dvec2& place : kPlacesInBox) {
-    places_in_omitted_.push_back(low + size * place);
-    for (const dvec2& way : kFourWays)
-      places_in_omitted_.push_back(low + size * border_of_square(place, way));
-  }
+void BoundaryDistance::add_omitted(const Leaf& leaf, std::size_t number, double allowed,
+                                   bool is_at_jump) {
+  add_bulges(leaf, number, allowed);
+  omitted_.add(leaf, number, is_at_jump);
 }
 
 /// The place at a share of the way along a chord. The leaf's corners would round it: between ends
@@ -78,7 +73,7 @@ dvec2 BoundaryDistance::on_chord(const Chord& ends, double share) const {
 
 /// Adds the stretches of the sides of a leaf without triangles between two boundaries, edge by
 /// edge: the surface reaches into the leaf there, if it is defined in an edge's middle.
-void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
+void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number, double allowed) {
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
   const auto place = [&](std::uint32_t vertex) { return (grid_.mesh.uv[vertex] - low) / size; };
@@ -112,7 +107,7 @@ void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
         const dvec2 at = on_chord(ends, share);
         // Counter-clockwise, the leaf is to the left.
         const dvec2 beyond = low + size * border_of_square(start, {-along.y, along.x});
-        chords_.push_back({number, {}, {}, ends, at, at, at, beyond, std::nullopt, false});
+        chords_.push_back({number, allowed, {}, {}, ends, at, at, at, beyond, std::nullopt, false});
         chords_.back().is_outward = share != kMiddleOfLine[0];
       }
     }
@@ -183,6 +178,7 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
         const dvec2 way = is_jump ? at - place(from) : outward;
         const dvec2 border = border_of_square(at, way);
         chords.push_back({number,
+                          allowed,
                           triangles,
                           t,
                           {a, b},
@@ -228,14 +224,15 @@ std::optional<dvec2> BoundaryDistance::outside_of(const Leaf& leaf, std::span<co
 std::vector<LeafDistance> BoundaryDistance::measure() {
   std::vector<LeafDistance> found = strips_.measure();
   evaluations_ += strips_.evaluations();
-  if (!chords_.empty()) measure_chords(found);
+  measure_chords(found);
   std::ranges::copy(beyond_.measure(), std::back_inserter(found));
   if (!jumps_.empty()) measure_jumps(found);
   std::ranges::copy(close_jumps_.measure(delta_), std::back_inserter(found));
   std::ranges::copy(turns_.measure(delta_), std::back_inserter(found));
   evaluations_ += close_jumps_.evaluations() + turns_.evaluations();
   looks_ += beyond_.looks() + close_jumps_.looks();
-  if (!omitted_.empty()) measure_omitted(found);
+  std::ranges::copy(omitted_.measure(), std::back_inserter(found));
+  evaluations_ += omitted_.evaluations();
   return found;
 }
 
@@ -247,119 +244,9 @@ double BoundaryDistance::foot(std::uint32_t from, std::uint32_t to, const dvec3&
   return square > 0 ? glm::dot(way, edge) / square : 0.5;
 }
 
-/// Where the surface, or its part in the clip box, ends on ways across chords.
-std::vector<dvec2> BoundaryDistance::ends_of(std::span<const Line> ways) const {
-  std::vector<WayOut> out;
-  for (std::size_t k = 0; k < ways.size(); ++k)
-    out.emplace_back(ways[k], chords_[k].is_at_face ? kHalvingsToLeast : kHalvingsToEdge, clip_);
-  std::vector<dvec2> ends = leave(surface_, out, threads_);
-  follow_outside(ways, ends);
-  return ends;
-}
-
-/// Moves the ends of ways that are still defined at the border of their leaf to the boundary in the
-/// next leaf, if it is there.
-void BoundaryDistance::follow_outside(std::span<const Line> ways, std::vector<dvec2>& ends) const {
-  std::vector<std::size_t> open;
-  std::vector<Line> outside;
-  for (std::size_t k = 0; k < ends.size(); ++k) {
-    const EdgeChord& chord = chords_[k];
-    if (!chord.outside || ways[k][1] != chord.beyond || !is_at_end(ends[k], ways[k])) continue;
-    open.push_back(k);
-    outside.push_back({chord.beyond, *chord.outside});
-  }
-  const std::vector<dvec2> last = last_defined(surface_, outside, kHalvingsToEdge, threads_, clip_);
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    if (!is_at_end(last[i], outside[i])) ends[open[i]] = last[i];
-  }
-}
-
-/// Ways across chords that cross the boundary: outward if the surface is seen at the chord's
-/// middle, else from inside to the middle.
-std::vector<Line> BoundaryDistance::ways_to_boundary(std::span<const SurfacePoint> at_middle) {
-  std::vector<dvec2> across;
-  for (std::size_t k = 0; k < chords_.size(); ++k) {
-    if (!is_seen(clip_, at_middle[k].position)) across.push_back(chords_[k].across);
-  }
-  const std::vector<SurfacePoint> at_across = evaluate(surface_, across, threads_);
-  evaluations_ += across.size();
-  std::vector<Line> ways;
-  std::size_t next = 0;
-  for (std::size_t k = 0; k < chords_.size(); ++k) {
-    const EdgeChord& chord = chords_[k];
-    if (is_seen(clip_, at_middle[k].position)) {
-      ways.push_back({chord.middle, chord.beyond});
-    } else {
-      const bool is_inside = is_seen(clip_, at_across[next++].position);
-      ways.push_back({is_inside ? chord.across : chord.opposite, chord.middle});
-    }
-  }
-  return ways;
-}
-
 /// Whether a place is on the outer side of a chord.
 bool BoundaryDistance::is_beyond(const EdgeChord& chord, const dvec2& uv) {
   return glm::dot(uv - chord.middle, chord.beyond - chord.middle) >= 0;
-}
-
-/// The surface's boundary may be on either side of its chord: the mesh covers too much or too
-/// little. All that is between chord and boundary is an error.
-void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
-  std::vector<dvec2> middles(chords_.size());
-  std::ranges::transform(chords_, middles.begin(), &EdgeChord::middle);
-  const std::vector<SurfacePoint> at_middle = evaluate(surface_, middles, threads_);
-  std::vector<Line> ways = ways_to_boundary(at_middle);
-  end_in_gaps(surface_, ways, threads_, clip_, looks_);
-  const std::vector<dvec2> boundary = ends_of(ways);
-  const std::vector<SurfacePoint> at_boundary = evaluate(surface_, boundary, threads_);
-  evaluations_ += chords_.size() * (2 + kHalvingsToEdge);
-  for (std::size_t k = 0; k < chords_.size(); ++k) {
-    const EdgeChord& chord = chords_[k];
-    const bool is_seen_at_middle = is_seen(clip_, at_middle[k].position);
-    if (chord.is_outward && !is_seen_at_middle) continue;
-    found.push_back(
-        {chord.leaf, distance_from_edge(chord, chord.triangles, boundary[k], at_boundary[k])});
-    // A part of the surface beyond the chord may be near triangles of other leaves.
-    if (is_beyond(chord, boundary[k])) found.back().uv = boundary[k];
-    if (!is_seen_at_middle) continue;
-    found.push_back(
-        {chord.leaf, distance_from(grid_, chord.triangles, chord.middle, at_middle[k].position)});
-    found.back().uv = chord.middle;
-  }
-  measure_beyond_box(at_middle, found);
-}
-
-/// Chords outside of the clip box may have an edge in it: that of sqrt(v)/u^2 is z=0 to the pole.
-void BoundaryDistance::measure_beyond_box(std::span<const SurfacePoint> at_middle,
-                                          std::vector<LeafDistance>& found) {
-  std::vector<std::size_t> numbers;
-  for (std::size_t k = 0; k < chords_.size(); ++k) {
-    const dvec3& position = at_middle[k].position;
-    if (chords_[k].is_outward && is_finite(position) && !is_seen(clip_, position))
-      numbers.push_back(k);
-  }
-  const auto ends_after = [&](int halvings) {
-    std::vector<Line> ways;
-    ways.reserve(numbers.size());
-    for (const std::size_t k : numbers) ways.push_back({chords_[k].middle, chords_[k].beyond});
-    const std::vector<dvec2> uv = last_defined(surface_, ways, halvings, threads_);
-    evaluations_ += ways.size() * (1 + static_cast<std::size_t>(halvings));
-    return std::pair(uv, evaluate(surface_, uv, threads_));
-  };
-  // A way to infinity leads away from the box.
-  std::size_t next = 0;
-  const std::vector<SurfacePoint> near = ends_after(kHalvingsToSight).second;
-  std::erase_if(numbers, [&](std::size_t k) {
-    const double before = distance_beyond(*clip_, at_middle[k].position);
-    return distance_beyond(*clip_, near[next++].position) > before;
-  });
-  const auto [uv, points] = ends_after(kHalvingsToEdge);
-  for (std::size_t i = 0; i < uv.size(); ++i) {
-    if (!is_seen(clip_, points[i].position)) continue;
-    const EdgeChord& chord = chords_[numbers[i]];
-    found.push_back({chord.leaf, distance_from_edge(chord, chord.triangles, uv[i], points[i])});
-    found.back().uv = uv[i];
-  }
 }
 
 /// The distance of a point of the edge from its chord, and from the triangles where the point lies
@@ -375,24 +262,6 @@ double BoundaryDistance::distance_from_edge(const EdgeChord& chord,
   const bool is_along =
       clip_ && is_along_face(*clip_, position[chord.ends[0]], position[chord.ends[1]]);
   return is_along ? from_triangles : std::max(from_chord, from_triangles);
-}
-
-/// Leaves may be defined in places but not at their corners, as beside the point where a boundary
-/// touches the edge of the domain. The missing part is measured from the leaf's border, where
-/// neighbours are.
-void BoundaryDistance::measure_omitted(std::vector<LeafDistance>& found) {
-  const std::vector<SurfacePoint> points = evaluate(surface_, places_in_omitted_, threads_);
-  evaluations_ += points.size();
-  const std::size_t group = 1 + kFourWays.size();  // a place and those beside it
-  for (std::size_t k = 0; k < points.size(); k += group) {
-    if (!is_seen(clip_, points[k].position)) continue;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t way = 1; way < group; ++way) {
-      const dvec3& beside = points[k + way].position;
-      if (is_finite(beside)) nearest = std::min(nearest, glm::distance(beside, points[k].position));
-    }
-    found.push_back({omitted_[k / (group * kPlacesInBox.size())], nearest});
-  }
 }
 
 }  // namespace saddle

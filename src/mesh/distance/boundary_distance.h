@@ -11,6 +11,7 @@
 #include "mesh/distance/beyond_chords.h"
 #include "mesh/distance/close_jump_distance.h"
 #include "mesh/distance/edge_turns.h"
+#include "mesh/distance/omitted_leaves.h"
 #include "mesh/distance/strip_distance.h"
 #include "mesh/features/sheet_ends.h"
 #include "mesh/grid/grid.h"
@@ -36,7 +37,8 @@ class BoundaryDistance {
         strips_(surface, grid, tree, clip, threads),
         beyond_(surface, grid, clip, threads),
         close_jumps_(surface, grid, tree, threads),
-        turns_(surface, grid, clip, threads) {}
+        turns_(surface, grid, clip, threads),
+        omitted_(surface, tree, clip, threads) {}
 
   /// Adds a leaf with its triangles, which must outlive this, and its tolerance. Skips leaves
   /// without a boundary or a jump, those that lead to a pole, and those that cross the clip box
@@ -55,6 +57,7 @@ class BoundaryDistance {
   /// A place on a chord of an edge, and where the edge is looked for.
   struct EdgeChord {
     std::size_t leaf;
+    double allowed;                       ///< the leaf's tolerance
     std::span<const Triangle> triangles;  ///< of the leaf; none of a flat sheet
     Triangle own;                         ///< the one of the chord
     std::array<std::uint32_t, 2> ends;
@@ -69,6 +72,9 @@ class BoundaryDistance {
     bool is_outward = false;
     bool is_at_cliff = false;
     bool is_at_slight_jump = false;
+    /// The end of the chord above which the way across begins, if it is not straight.
+    std::optional<std::uint32_t> aslant_from = {};
+    bool is_beside_middle = false;  ///< looks for a corner: a rim that rounding moves has none
   };
   void add_chords(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
                   FeatureKind kind, double allowed);
@@ -82,8 +88,8 @@ class BoundaryDistance {
   std::vector<OuterSide> outer_chords(const Leaf& leaf, const Triangle& t,
                                       const CellTriangles& by_sides) const;
   dvec2 on_chord(const std::array<std::uint32_t, 2>& ends, double share) const;
-  void add_omitted(const Leaf& leaf, std::size_t number);
-  void add_bulges(const Leaf& leaf, std::size_t number);
+  void add_omitted(const Leaf& leaf, std::size_t number, double allowed, bool is_at_jump);
+  void add_bulges(const Leaf& leaf, std::size_t number, double allowed);
   void add_at_jump(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
                    double allowed);
   void add_flat_sheets(const Leaf& leaf, std::size_t number, double allowed);
@@ -91,6 +97,9 @@ class BoundaryDistance {
                                   const dvec2& border, const dvec2& way) const;
   static bool is_beyond(const EdgeChord& chord, const dvec2& uv);
   double foot(std::uint32_t from, std::uint32_t to, const dvec3& above) const;
+  std::vector<bool> are_seen(std::span<const dvec2> uv);
+  std::vector<std::optional<dvec2>> first_seen(std::span<const std::array<dvec2, 2>> lines);
+  double distance_aslant(const EdgeChord& chord, const dvec3& on_rim) const;
   std::vector<std::array<dvec2, 2>> ways_to_boundary(std::span<const SurfacePoint> at_middle);
   std::vector<dvec2> ends_of(std::span<const std::array<dvec2, 2>> ways) const;
   double distance_from_edge(const EdgeChord& chord, std::span<const Triangle> triangles,
@@ -103,10 +112,16 @@ class BoundaryDistance {
   void end_at_cliffs(std::span<const std::size_t> numbers,
                      std::vector<std::optional<SheetEnd>>& ends);
   void measure_chords(std::vector<LeafDistance>& found);
+  EdgeChord beside_middle(EdgeChord chord, double share) const;
+  /// The distance of a rim from its chord.
+  struct RimDistance {
+    double distance = 0;
+    bool is_rounded = false;  ///< the rim's last digits alone move it noticeably
+  };
+  std::vector<RimDistance> measure_places(std::vector<LeafDistance>& found);
   void measure_beyond_box(std::span<const SurfacePoint> at_middle,
                           std::vector<LeafDistance>& found);
   void measure_jumps(std::vector<LeafDistance>& found);
-  void measure_omitted(std::vector<LeafDistance>& found);
 
   const Surface& surface_;
   const Grid& grid_;
@@ -117,11 +132,10 @@ class BoundaryDistance {
   BeyondChords beyond_;
   CloseJumpDistance close_jumps_;
   EdgeTurns turns_;
+  OmittedLeaves omitted_;
   std::vector<EdgeChord> chords_;  ///< of boundaries
   std::vector<EdgeChord> jumps_;
   double delta_ = std::numeric_limits<double>::infinity();  ///< a smaller gap is no jump
-  std::vector<std::size_t> omitted_;                        ///< leaves without triangles
-  std::vector<dvec2> places_in_omitted_;  ///< in each, places and their projections on its border
   std::size_t evaluations_ = 0;
   std::size_t looks_ = 0;
 };

@@ -50,7 +50,7 @@ void BoundaryDistance::add_at_jump(const Leaf& leaf, std::size_t number,
   if (leaf.state.leads_to_pole() || has_cut(FeatureKind::Pole, leaf, tree_)) return;
   delta_ = std::min(delta_, allowed);
   add_flat_sheets(leaf, number, allowed);
-  if (triangles.empty()) return add_omitted(leaf, number);
+  if (triangles.empty()) return add_omitted(leaf, number, allowed, true);
   if (close_jumps_.add(leaf, number, triangles)) return;
   const std::size_t first = jumps_.size();
   add_chords(leaf, number, triangles, FeatureKind::Jump, allowed);
@@ -81,7 +81,8 @@ void BoundaryDistance::add_flat_sheets(const Leaf& leaf, std::size_t number, dou
     for (const dvec2& start : starts) {
       // Counter-clockwise, the leaf is to the left.
       const dvec2 beyond = low + size * border_of_square((start - low) / size, {-along.y, along.x});
-      jumps_.push_back({number, {}, {}, ends, start, start, start, beyond, std::nullopt, false});
+      jumps_.push_back(
+          {number, allowed, {}, {}, ends, start, start, start, beyond, std::nullopt, false});
     }
   }
 }

@@ -201,11 +201,18 @@ void append(const Grid& grid, const PolygonCorner& a, const PolygonCorner& b,
 
 dvec2 border_of_square(const dvec2& from, const dvec2& way) {
   double steps = std::numeric_limits<double>::infinity();
+  int axis = -1;
   for (int k = 0; k < 2; ++k) {
     const double room = way[k] > 0 ? 1 - from[k] : from[k];
-    if (way[k] != 0) steps = std::min(steps, room / std::fabs(way[k]));
+    const double until = room / std::fabs(way[k]);
+    if (way[k] == 0 || until >= steps) continue;
+    steps = until;
+    axis = k;
   }
-  return from + steps * way;
+  dvec2 border = from + steps * way;
+  // The surface may end on a side of its leaf, and be defined one rounding before.
+  if (axis >= 0) border[axis] = way[axis] > 0 ? 1 : 0;
+  return border;
 }
 
 double doubled_area_of(std::span<const PolygonCorner> polygon) {

@@ -131,7 +131,7 @@ TEST(BoundedWork, SearchesAMeshThatTheLimitStoppedOnce) {
 
 TEST(BoundedWork, DoesNotFollowTheRimsOfWavesThatNoMeshCouldFollow) {
   MeshRequest options = within_share(1e-2, 3);
-  options.max_triangles = 40'000;
+  options.max_triangles = 160'000;
   const MeshResult result = try_mesh(height_field("sqrt(sin(1e3*u*v))"), options).value();
   EXPECT_FALSE(result.report.reached_limit);
   EXPECT_TRUE(result.report.oscillates);
