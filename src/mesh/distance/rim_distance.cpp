@@ -176,7 +176,7 @@ double BoundaryDistance::distance_aslant(const EdgeChord& chord, const dvec3& on
                                glm::mix(position[a], position[b], share));
 }
 
-/// The same at another place, and no farther than beside the middle.
+/// The same chord at another place of it, with ways as long as those at its middle.
 BoundaryDistance::EdgeChord BoundaryDistance::beside_middle(EdgeChord chord, double share) const {
   const ParameterBox domain = box_of(surface_.domain);
   const dvec2 shift = on_chord(chord.ends, share) - chord.middle;

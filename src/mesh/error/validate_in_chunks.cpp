@@ -40,8 +40,9 @@ ValidationCost validate_in_chunks(const Surface& surface, const Grid& grid, cons
   const std::size_t chunk = chunk_of(which.size());
   // Whether work is left is not asked within chunks: how far the others are by then depends on the
   // machine.
-  for (std::size_t from = 0; from < which.size() && surface.may_go_on(); from += 32 * chunk) {
-    const auto some = which.subspan(from, std::min(32 * chunk, which.size() - from));
+  const std::size_t between_checks = 32 * chunk;
+  for (std::size_t from = 0; from < which.size() && surface.may_go_on(); from += between_checks) {
+    const auto some = which.subspan(from, std::min(between_checks, which.size() - from));
     parallel_chunks(some.size(), chunk, limits.threads, [&](std::size_t begin, std::size_t end) {
       Validator validator(surface, grid, tree, limits);
       validator.measure(mesh, some.subspan(begin, end - begin),
