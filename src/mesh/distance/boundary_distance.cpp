@@ -48,7 +48,13 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
   }
   if (is_cut && has_cut(FeatureKind::Jump, leaf, tree_))
     return add_at_jump(leaf, number, triangles, allowed);
-  if (leaf.state.cut() != LeafCut::Boundary) return;
+  if (!leaf.state.is_on_boundary() || leaf.state.leads_to_pole()) return;
+  // A crest in a strip has chords of its own, and beside poles rims are places without a value.
+  // Other rims may have a feature of a neighbour.
+  const auto has = [&](FeatureKind kind) { return has_cut(kind, leaf, tree_); };
+  if (is_cut && (clip_ || has(FeatureKind::Pole) || has(FeatureKind::Essential) ||
+                 has(FeatureKind::Crease) || has_thin_strip(leaf, tree_)))
+    return;
   if (strips_.add(leaf, number, triangles, allowed)) {
     if (triangles.empty())
       add_bulges(leaf, number, allowed);  // the strip may end before the first line
