@@ -103,7 +103,6 @@ class KnownHulls {
  public:
   explicit KnownHulls(const Surface& surface) : enclosures_(surface, Bounded::Position) {}
 
-  Bounds over(const ParameterBox& box) { return over(std::span(&box, 1), 1)[0]; }
   std::vector<Bounds> over(std::span<const ParameterBox> boxes, unsigned threads);
 
  private:

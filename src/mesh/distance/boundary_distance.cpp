@@ -149,7 +149,7 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
   const bool is_jump = kind != FeatureKind::Boundary;
   const bool is_cliff = kind == FeatureKind::Cliff;
   // Ways through the places on a jump are not straight across: the largest distance is predicted.
-  // A corner of a boundary is solved for; its arc is farthest in the middle.
+  // A rim's arc is farthest in the middle; measure_chords() looks for corners beside it.
   const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
   const std::span<const double> places =
       is_jump ? std::span<const double>(kAlongLine) : places_on_edge(is_at_face);

@@ -7,7 +7,7 @@
 
 #include <glm/common.hpp>
 
-#include "mesh/features/search_chunks.h"
+#include "base/parallel.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
 
@@ -70,17 +70,17 @@ bool WayOut::narrow(const dvec2& place, const dvec3& position) {
 }
 
 std::vector<dvec2> leave(const Surface& surface, std::span<const WayOut> ways, unsigned threads) {
-  std::size_t unused = 0;
-  const auto leave_some = [&](std::span<const WayOut> some, std::size_t&) {
+  std::vector<dvec2> last(ways.size());
+  parallel_chunks(ways.size(), kInBatch / 2, threads, [&](std::size_t begin, std::size_t end) {
+    const auto some = ways.subspan(begin, end - begin);
     std::vector<WayOut> searches(some.begin(), some.end());
     std::vector<std::size_t> open = all_open(searches.size());
     bisect_together(surface, searches, open, {kHalvingsToLeast}, std::mem_fn(&WayOut::next),
                     std::mem_fn(&WayOut::narrow));
-    std::vector<dvec2> last(searches.size());
-    std::ranges::transform(searches, last.begin(), &WayOut::last_seen);
-    return last;
-  };
-  return search_chunks(ways, kInBatch / 2, threads, unused, leave_some);
+    std::ranges::transform(searches, last.begin() + static_cast<std::ptrdiff_t>(begin),
+                           &WayOut::last_seen);
+  });
+  return last;
 }
 
 }  // namespace saddle

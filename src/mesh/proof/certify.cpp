@@ -87,6 +87,7 @@ class Certifier {
   };
 
   Part whole_part(std::uint32_t k) const { return {k, GapReason::Work, true, patches_[k].box}; }
+
   void gather_demands() {
     cells_.emplace(root_, patches_);
     for (std::size_t cell = 0; cell < cells_->count(); ++cell) {

@@ -41,15 +41,19 @@ double narrow_side(const dvec2& size, const dvec2& range) {
 void measure_gaps(const Surface& surface, const dvec2& largest_cell, double tolerance,
                   unsigned threads, KnownHulls& hulls, std::span<ProofGap> gaps) {
   std::vector<dvec2> uv;
+  std::vector<ParameterBox> boxes;
   for (const ProofGap& gap : gaps) {
     const auto places = places_in(gap);
     uv.insert(uv.end(), places.begin(), places.end());
+    boxes.push_back({gap.low, gap.high});
   }
   const std::vector<dvec3> points = evaluate_positions(surface, uv, threads);
   const dvec2 range = box_of(surface.domain).size();
+  const std::vector<Bounds> bounds = hulls.over(boxes, threads);
   auto next = points.begin();
-  for (ProofGap& gap : gaps) {
-    const ParameterBox box{gap.low, gap.high};
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    ProofGap& gap = gaps[k];
+    const ParameterBox& box = boxes[k];
     const dvec2 size = box.size();
     Bounds samples;
     const auto end = next + static_cast<std::ptrdiff_t>(places_in(gap).size());
@@ -57,7 +61,7 @@ void measure_gaps(const Surface& surface, const dvec2& largest_cell, double tole
       if (is_finite(p)) samples.add(p);
     }
     gap.share = size.x * size.y / (range.x * range.y);
-    gap.room = samples.empty() ? kInfinity : room_beyond(samples, hulls.over(box));
+    gap.room = samples.empty() ? kInfinity : room_beyond(samples, bounds[k]);
     if (gap.room > kVisibleRoom * tolerance) {
       gap.visible = gap.share;
       gap.width = narrow_side(glm::min(size, largest_cell), range);
