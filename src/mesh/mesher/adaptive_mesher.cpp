@@ -642,8 +642,18 @@ ActiveLeaves AdaptiveMesher::activate_with_features() {
 
 /// Leaves with jumps in their unproved boxes.
 ActiveLeaves AdaptiveMesher::activate_jumping() {
-  const std::vector<std::size_t> jumping = find_jumping(proof_.find_may_jump(mesh_));
+  std::vector<std::uint32_t> leaves;
+  for (std::uint32_t k = 0; k < mesh_.leaves.size(); ++k) {
+    if (may_get_jump(mesh_.leaves[k])) leaves.push_back(k);
+  }
+  const std::vector<std::size_t> jumping = find_jumping(proof_.find_may_jump(leaves, mesh_));
   return activate({jumping.begin(), jumping.end()}, {});
+}
+
+/// Whether a leaf would be cut at a jump that is found on its sides.
+bool AdaptiveMesher::may_get_jump(const Leaf& leaf) const {
+  return leaf.state.may_be_halved() && !leaf.state.is_cut_by_feature() &&
+         !leaf.state.leads_to_pole() && !is_clipped(leaf);
 }
 
 /// Searches the sides of leaves for jumps where bounds do not exclude one. A jump along the
@@ -652,10 +662,7 @@ ActiveLeaves AdaptiveMesher::activate_jumping() {
 std::vector<std::size_t> AdaptiveMesher::find_jumping(std::span<const std::uint32_t> may_jump) {
   std::set<std::size_t> leaves;
   for (const std::uint32_t k : may_jump) {
-    const Leaf& leaf = mesh_.leaves[k];
-    const bool is_done = !leaf.state.may_be_halved() || leaf.state.is_cut_by_feature() ||
-                         leaf.state.leads_to_pole() || is_clipped(leaf);
-    if (!is_done) leaves.insert(k);
+    if (may_get_jump(mesh_.leaves[k])) leaves.insert(k);
   }
   std::vector<Side> sides;
   for (const std::size_t k : leaves) append_unsearched(mesh_.leaves[k], tree_, sides);

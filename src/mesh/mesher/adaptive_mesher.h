@@ -108,6 +108,7 @@ class AdaptiveMesher {
   void follow_thin_parts(const Oscillation& known, const SubdivisionGoal& goal);
   void take_thinly_cut(std::uint32_t since, std::vector<std::size_t>& numbers,
                        std::vector<Leaf>& active) const;
+  bool may_get_jump(const Leaf& leaf) const;
   std::vector<std::size_t> find_jumping(std::span<const std::uint32_t> may_jump);
   ActiveLeaves activate(const std::set<std::size_t>& numbers,
                         std::vector<Counterexample> counterexamples);

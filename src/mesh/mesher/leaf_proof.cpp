@@ -11,6 +11,7 @@
 #include "mesh/grid/grid.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/proof/jump_search.h"
 #include "mesh/proof/report_proof.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
@@ -103,11 +104,30 @@ LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
   return result;
 }
 
-std::vector<std::uint32_t> LeafProof::find_may_jump(ValidatedMesh& mesh) {
-  auto before = std::pair(std::move(proof_), cells_);
-  std::vector<std::uint32_t> leaves = prove(mesh).may_jump;
-  std::tie(proof_, cells_) = std::move(before);
-  return leaves;
+std::vector<std::uint32_t> LeafProof::find_may_jump(std::span<const std::uint32_t> leaves,
+                                                    ValidatedMesh& mesh) {
+  if (mesh.leaves.size() <= kKeptAtATime) {
+    auto before = std::pair(std::move(proof_), cells_);
+    std::vector<std::uint32_t> found = prove(mesh).may_jump;
+    std::tie(proof_, cells_) = std::move(before);
+    return found;
+  }
+  budget_.allow_for(tree_.effort().total());
+  const std::vector<std::uint8_t> cells = cells_that_may_jump(surface_, root_lines(grid_), budget_);
+  std::vector<std::uint32_t> unproved;
+  std::vector<JumpBox> boxes;
+  for (const std::uint32_t k : leaves) {
+    const Leaf& leaf = mesh.leaves[k];
+    if (is_proved(mesh, k) || cells[root_cell_of(leaf, grid_)] == 0) continue;
+    unproved.push_back(k);
+    boxes.push_back(
+        {{tree_.vertices().parameters(leaf.low), tree_.vertices().parameters(leaf.high())},
+         mesh.allowed[k]});
+  }
+  std::vector<std::uint32_t> found;
+  for (const std::size_t k : saddle::find_may_jump(surface_, boxes, budget_, threads_))
+    found.push_back(unproved[k]);
+  return found;
 }
 
 /// Looks at boxes without a proof of the patches of leaves. Beside a feature the nearest triangle

@@ -132,6 +132,9 @@ inline constexpr std::size_t kMostFollowed = 64;
 /// Halvings of a leaf or box to 1/256 of it: a quarter of a tolerance in a cell of 1/16 of the
 /// surface.
 inline constexpr int kHalvingsToSight = 8;
+/// Halvings of a box where the surface may be undefined or jump, both ways taken together: 12 give
+/// 1/64 of each side.
+inline constexpr int kMaxBrokenDepth = 12;
 /// Halvings of a line to 1/4096 of it: enough for a distance of second order.
 inline constexpr int kHalvingsOfSecondOrder = 12;
 /// The part of a line that is left then. Ends whose distance is less than this part of their

@@ -21,10 +21,8 @@ namespace {
 /// A level is short with at most a quarter as many boxes as there are patches. While a proof has no
 /// gap, levels of up to kMaxBrokenDepth halvings count as short: they may complete it.
 constexpr std::size_t kShort = 4;
-/// Halvings of a patch where the surface may be undefined or jump, both ways taken together: 12
-/// give 1/64 of each side. A level of at most kFewBoxes boxes goes on to kHalvingsOfSecondOrder
-/// each way.
-constexpr int kMaxBrokenDepth = 12;
+/// A level of at most kFewBoxes boxes goes on beyond kMaxBrokenDepth to kHalvingsOfSecondOrder each
+/// way.
 constexpr std::size_t kFewBoxes = 100;
 /// A level of root cells helps if one in 8 is proved. After one level that does not help, another
 /// is not tested; after two in a row, two, and so on.
@@ -116,7 +114,7 @@ class Certifier {
   }
 
   BoxBounds bounds_over(const ParameterBox& box) {
-    budget_.take_box();
+    budget_.take_boxes(1);
     return BoxBounds(enclosure_->enclose(box));
   }
 
@@ -287,7 +285,7 @@ class Certifier {
       return leave_unproved(part, patch, dvec2(0));
     }
     if (part.known && measure_later(part, patch.allowed, *part.known)) return;
-    if (ahead) budget_.take_box();
+    if (ahead) budget_.take_boxes(1);
     const BoxBounds bounds = ahead ? *ahead : bounds_over(part.box);
     const dvec2 bend(bounds.bend.x, bounds.bend.z);
     if (bounds.is_undefined) {

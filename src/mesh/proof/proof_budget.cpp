@@ -50,9 +50,9 @@ std::size_t ProofBudget::boxes_left(bool is_short) const {
   return ((is_short ? most_of_short_ : most_) - spent_ - 1) / of_box_ + 1;
 }
 
-void ProofBudget::take_box() {
-  ++boxes_;
-  spent_ += of_box_;
+void ProofBudget::take_boxes(std::size_t count) {
+  boxes_ += count;
+  spent_ += count * of_box_;
 }
 
 void ProofBudget::take_points(std::size_t count) {

@@ -25,7 +25,7 @@ class ProofBudget {
   }
   /// The boxes of a level that is_spent() leaves, if they take no points; none if no time is left.
   std::size_t boxes_left(bool is_short) const;
-  void take_box();
+  void take_boxes(std::size_t count);
   void take_points(std::size_t count);
   /// Nodes of a tree of triangles; these have as much work to themselves as short levels.
   void take_visits(std::size_t count) { visited_ += count; }

@@ -136,6 +136,16 @@ TEST(SampledMesh, GoesUpToJumpsAlongASheet) {
   }
 }
 
+TEST(SampledMesh, GoesUpToJumpsAlongASheetInAnyOfItsCells) {
+  // Bounds are looked at in few boxes: more where they do not exclude a jump.
+  for (const char* const at : {"-0.723", "0.723"}) {
+    const std::string y = std::string("v+0.004*sign(v-(") + at + "))+0.001*sin(u*v)";
+    const Surface sheet =
+        surface_from_text("u+0.001*sin(u)", y.c_str(), "0", {-1, 1, -1, 1}, {}, Order::Second);
+    EXPECT_EQ(sampled(sheet, 200).report.jump_count, 201U) << at;
+  }
+}
+
 TEST(SampledMesh, HasItsCreasesAsEdges) {
   const MeshResult fold = sampled("abs(u-v+0.03)");
   EXPECT_LE(fold.report.max_error, 1e-12);
