@@ -29,10 +29,9 @@ namespace {
 /// A first mesh, which finds poles or the faces of the box that they need, leaves the next mesh at
 /// least a quarter of the triangles that are allowed.
 constexpr std::size_t kLeastPart = 4;
-/// Cells in one direction: a multiple of the intervals between grid lines, so that grid lines are
-/// mesh lines, unless there are more of them than cells. An even one, so that the middle of the
-/// range is a mesh line too: there symmetric surfaces have their apexes, cusps and kinks. No part
-/// of the domain in which features are told apart is without a cell.
+/// Cells in one direction: a multiple of the intervals between grid lines, so that these are mesh
+/// lines, unless there are more than cells. It is even, so that the middle of the range is one too:
+/// there symmetric surfaces have their apexes, cusps and kinks. Each of kDomainParts has a cell.
 int default_cells(int lines) {
   const int wanted = static_cast<int>(kDomainParts);
   const int intervals = std::lcm(std::max(lines - 1, 1), 2);
@@ -184,27 +183,28 @@ class ProportionateMesher {
     const Bounds box = clip_box(around_, bounds_of(positions_), more);
     known.beside_poles.add(far_from(box, whole));
     clip_to(box);
-    std::optional<MeshResult> mesh = mesh_clipped(known, box);
-    if (mesh) return mesh;
+    if (auto mesh = mesh_clipped(known, box)) return mesh;
     clip_to(std::nullopt);
     return try_mesh(surface_, request_);
   }
 
-  /// The mesh within those faces of the box that the surface goes through on its way to its poles:
-  /// only the poles tell which ones that are.
+  /// The mesh within the faces of the box that the surface goes through on its way to its poles.
   std::optional<MeshResult> mesh_clipped(const MeshReport& known, const Bounds& box) const {
     Bounds beside_poles = known.beside_poles;
     MeshRequest request = request_;
     std::optional<MeshResult> mesh;
+    request.needs_other_box = [&](Bounds seen) {
+      seen.add(beside_poles);
+      return open_where_it_stays(box, seen) != *request.clip;
+    };
     // Poles may need more faces each time, of six in all.
-    for (;;) {
+    do {
       request.clip = open_where_it_stays(box, beside_poles);
       mesh = next_mesh(request);
       if (!mesh) return std::nullopt;
-      mesh->report.clip = request.clip;
       beside_poles.add(mesh->report.beside_poles);
-      if (open_where_it_stays(box, beside_poles) == *request.clip) break;
-    }
+    } while (request.needs_other_box(beside_poles));
+    mesh->report.clip = request.clip;
     // Cells outside of the box are not looked at any more.
     if (known.pole_count > mesh->report.pole_count) {
       mesh->report.poles = known.poles;

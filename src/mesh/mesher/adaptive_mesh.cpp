@@ -15,6 +15,7 @@
 #include "mesh/grid/corners.h"
 #include "mesh/grid/facing.h"
 #include "mesh/mesher/adaptive_mesher.h"
+#include "mesh/mesher/pole_features.h"
 #include "mesh/mesher/report_errors.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tidy.h"
@@ -99,15 +100,13 @@ class Finisher {
       : mesher_(mesher), mesh_(mesher.mesh()), tree_(mesher.tree()), grid_(mesher.grid()) {}
 
   /// Lists poles, and adds the positions beside them to the report.
-  void list_poles(const Surface& surface, unsigned threads, MeshReport& report) const {
+  void list_poles(unsigned threads, MeshReport& report) const {
     PlaceList poles(grid_.range, report.poles, report.pole_count);
-    std::vector<dvec2> ends;
     LinesOfCuts lines;
     for (const std::array<dvec2, 2>& pole : tree_.edges().poles(tree_.mesh())) {
       const dvec2 place = 0.5 * (pole[0] + pole[1]);  // no double lies between them
       poles.add(place);
       lines.add(place, pole[0], pole[1]);
-      ends.insert(ends.end(), pole.begin(), pole.end());
     }
     report.pole_lines = lines.from_end_to_end(grid_);
     for_singularities(PointSingularity::Kind::Pole,
@@ -115,18 +114,7 @@ class Finisher {
                         poles.add(uv);
                         report.beside_poles.add(singularity.near);
                       });
-    for (const SurfacePoint& point : evaluate(surface, ends, threads)) {
-      if (is_finite(point.position)) report.beside_poles.add(point.position);
-    }
-    // Through an open face the surface may go much farther: beside 0 lie many more doubles.
-    for (const auto& [a, b] : tree_.edges().sides_with_features()) {
-      const auto cut = tree_.edges().feature(a, b);
-      if (!cut || cut->kind != FeatureKind::Face) continue;
-      for (const std::uint32_t vertex : {cut->beside_first, cut->beside_second}) {
-        const dvec3& p = grid_.mesh.position[vertex];
-        if (is_finite(p)) report.beside_poles.add(p);
-      }
-    }
+    report.beside_poles.add(box_beside_poles(tree_, threads));
   }
 
   /// Removes the triangles that have infinite corners, and lists these as poles: vertices are
@@ -321,7 +309,7 @@ std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& requ
   MeshReport& report = result.report;
   const Finisher finisher(mesher);
   report.effort = mesher.tree().effort().total();
-  finisher.list_poles(surface, request.threads, report);
+  finisher.list_poles(request.threads, report);
   if (mesher.stops_early()) {
     report.beside_poles.add(mesher.far_vertices());
     report.stopped_early = true;

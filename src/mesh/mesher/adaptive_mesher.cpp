@@ -14,6 +14,7 @@
 #include "mesh/mesher/envelope.h"
 #include "mesh/mesher/follow_features.h"
 #include "mesh/mesher/halving_limits.h"
+#include "mesh/mesher/pole_features.h"
 #include "mesh/mesher/solve_inner_vertices.h"
 #include "mesh/mesher/walls.h"
 #include "mesh/sizing/effort.h"
@@ -128,6 +129,8 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
   if (grid_.cell_count() <= limits_.leaves_at_a_time)
     tree_.geometry().add_middles(request_.threads);
   refine({{}, std::move(counterexamples), true}, {until, limits_.triangles.part(kFirst)});
+  needs_other_box_ = request_.needs_other_box &&
+                     request_.needs_other_box(box_beside_poles(tree_, request_.threads));
   for (int round = 0; !stops_early(); ++round) {
     if (round == kMostRounds) {
       if (certifies()) find_features();  // they count as errors

@@ -35,8 +35,11 @@ class AdaptiveMesher {
   /// Subdivides leaves until no error is found, and removes singular cells.
   void run(std::vector<Counterexample> counterexamples);
 
-  /// Whether poles or far vertices were found at which the request stops. There are no leaves then.
-  bool stops_early() const { return may_stop() && (tree_.has_poles() || !far_vertices_.empty()); }
+  /// Whether poles, far vertices or the need of another clip box were found, at which the request
+  /// stops. There are no leaves to use then.
+  bool stops_early() const {
+    return needs_other_box_ || (may_stop() && (tree_.has_poles() || !far_vertices_.empty()));
+  }
   /// A box around the vertices that are farther away than the request allows.
   const Bounds& far_vertices() const { return far_vertices_; }
 
@@ -148,6 +151,7 @@ class AdaptiveMesher {
   std::uint32_t seen_left_out_ = RevisionClock::kNever;
   bool has_forgotten_ = false;     ///< leaves may lack samples
   bool has_halved_spent_ = false;  ///< leaves were halved when the work of proofs was done
+  bool needs_other_box_ = false;   // MeshRequest::needs_other_box
   bool reached_limit_ = false;
   std::optional<dvec2> coarse_normals_;
   std::optional<dvec2> oscillates_;

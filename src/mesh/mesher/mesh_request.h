@@ -46,6 +46,10 @@ struct MeshRequest {
   };
   Stop stop = Stop::Never;
   double far = 0;  ///< in diagonals of the box around most of the probe's samples
+  /// Whether another box is needed to cut the mesh along, by a box around the surface beside the
+  /// poles that were found. Asked once, after cells are first subdivided: if so, meshing stops
+  /// early, without a mesh. Empty: it does not.
+  std::function<bool(const Bounds& beside_poles)> needs_other_box = {};
 
   /// The lines that are drawn; they run along edges of the mesh.
   LineCounts lines = {};

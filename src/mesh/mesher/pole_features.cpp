@@ -230,4 +230,23 @@ std::vector<bool> end_at_faces(const std::vector<bool>& goes_far, std::span<Betw
   return at_face;
 }
 
+Bounds box_beside_poles(const CellTree& tree, unsigned threads) {
+  std::vector<dvec2> ends;
+  for (const std::array<dvec2, 2>& pole : tree.edges().poles(tree.mesh()))
+    ends.insert(ends.end(), pole.begin(), pole.end());
+  Bounds box;
+  const auto add = [&box](const dvec3& p) {
+    if (is_finite(p)) box.add(p);
+  };
+  std::ranges::for_each(evaluate_positions(tree.surface(), ends, threads), add);
+  // Through an open face the surface may go much farther: beside 0 lie many more doubles.
+  for (const auto& [a, b] : tree.edges().sides_with_features()) {
+    const auto cut = tree.edges().feature(a, b);
+    if (!cut || cut->kind != FeatureKind::Face) continue;
+    for (const std::uint32_t vertex : {cut->beside_first, cut->beside_second})
+      add(tree.mesh().position[vertex]);
+  }
+  return box;
+}
+
 }  // namespace saddle

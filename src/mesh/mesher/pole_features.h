@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/bounds.h"
 #include "mesh/mesher/trace_options.h"
 #include "mesh/tree/edge_table.h"
 #include "mesh/tree/vertex_geometry.h"
@@ -31,5 +32,9 @@ std::vector<bool> diverge_at(std::span<const Between> boundaries, const TraceOpt
 /// which were moved; none without a clip box.
 std::vector<bool> end_at_faces(const std::vector<bool>& goes_far, std::span<Between> boundaries,
                                const TraceOptions& options, CellTree& tree);
+
+/// A box around the last places of the surface beside the poles on sides, and beyond faces of the
+/// clip box.
+Bounds box_beside_poles(const CellTree& tree, unsigned threads);
 
 }  // namespace saddle

@@ -49,7 +49,7 @@ struct MeshReport {
   std::optional<RegionShare> region;  ///< shares by the surface's condition, if it has one
   bool exceeds_doubles = false;       ///< these are defined, with numbers too large for doubles
   std::size_t flat_triangles = 0;     ///< triangles left out: without area in double precision
-  bool stopped_early = false;         ///< MeshRequest::stop: there is no mesh
+  bool stopped_early = false;         ///< as MeshRequest asks: there is no mesh
   std::optional<double> tolerance;    ///< the limit of max_error
   /// The rounding of positions, where it exceeds the tolerance: it is the limit in its place.
   std::optional<double> rounding;
