@@ -172,7 +172,7 @@ double MeshDistance::operator()(const Mesh& mesh) const {
 }
 
 double MeshDistance::from_surface(const Mesh& mesh) const {
-  const TriangleTree tree(mesh);
+  const TriangleTree tree(mesh, subject_.threads);
   const std::vector<double> found = distances(tree, points_, subject_.threads);
   const std::vector<std::size_t> worst = largest(found, kClimbers);
   std::vector<dvec2> at;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <utility>
 
 #include "base/numbers.h"
 #include "base/parallel.h"
@@ -48,17 +50,11 @@ double thickness_of(const Mesh& mesh, const Triangle& t) {
   return longest > 0 ? area / longest : 0;
 }
 
-const TriangleTree& WholeMeshError::tree() const {
-  std::call_once(has_tree_,
-                 [this] { tree_.emplace(grid_.mesh.position, all_, surface_.tangents.count); });
-  return *tree_;
-}
-
 double WholeMeshError::distance(const Place& place, const dvec3& position) const {
   const double from_own = place.triangles.empty()
                               ? kInfinity
                               : distance_from(grid_, place.triangles, place.uv, position);
-  return from_own > place.known ? tree().distance(position, from_own, place.known) : from_own;
+  return from_own > place.known ? tree_.distance(position, from_own, place.known) : from_own;
 }
 
 std::vector<double> WholeMeshError::distances(std::span<const Place> places) const {
@@ -115,9 +111,10 @@ dvec3 WholeMeshError::position_of(const MeshPlace& place) const {
   return w.x * p[t[0]] + w.y * p[t[1]] + w.z * p[t[2]];
 }
 
-/// The surface at the same parameters bounds a place's distance, and so do the corners.
-std::vector<WholeMeshError::Expected> WholeMeshError::expect(
-    std::span<const MeshPlace> places) const {
+/// The surface at the same parameters bounds a place's distance, and so do the corners. In the
+/// order of the places.
+std::vector<WholeMeshError::Expected> WholeMeshError::expect_of_each(
+    std::span<const MeshPlace> places, unsigned threads) const {
   std::vector<MeshPlace> seen;
   std::vector<dvec2> uv;
   for (const MeshPlace& place : places) {
@@ -125,7 +122,7 @@ std::vector<WholeMeshError::Expected> WholeMeshError::expect(
     seen.push_back(place);
     uv.push_back(uv_of(place));
   }
-  const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);
+  const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads);
   std::vector<Expected> result;
   for (std::size_t k = 0; k < seen.size(); ++k) {
     if (!is_finite(points[k])) continue;
@@ -135,6 +132,12 @@ std::vector<WholeMeshError::Expected> WholeMeshError::expect(
       near = std::min(near, glm::distance(p, grid_.mesh.position[corner]));
     result.push_back({seen[k], near, near});
   }
+  return result;
+}
+
+std::vector<WholeMeshError::Expected> WholeMeshError::expect(
+    std::span<const MeshPlace> places) const {
+  std::vector<Expected> result = expect_of_each(places, threads_);
   std::ranges::stable_sort(result, std::ranges::greater(), &Expected::distance);
   return result;
 }
@@ -167,7 +170,7 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expe
 void WholeMeshError::begin_at_vertices(std::span<Nearest> nearest) const {
   if (all_.empty()) return;
   for (Nearest& n : nearest) {
-    const auto [distance, corner] = tree().nearest_corner(position_of(n.place), n.error.distance);
+    const auto [distance, corner] = tree_.nearest_corner(position_of(n.place), n.error.distance);
     if (corner) n.error = {distance, grid_.mesh.uv[*corner]};
   }
 }
@@ -313,31 +316,47 @@ void WholeMeshError::climb_on_mesh(std::span<Nearest> places, double tolerance) 
   }
 }
 
-/// The places of triangles that are expected to be farthest, 192 at most. Along a steep wall places
-/// are far from what is known of the surface, but the wall is near: triangles there are thin.
-/// Triangles are taken a part at a time: there may be millions.
+/// The places of triangles thicker than `thin` that are expected to be farther than `least`, the
+/// farthest first. Along a steep wall places are far from what is known of the surface, but the
+/// wall is near: triangles there are thin.
+std::vector<WholeMeshError::Expected> WholeMeshError::expect_above(
+    std::span<const Triangle* const> triangles, double thin, double least) const {
+  std::vector<MeshPlace> places;
+  for (const Triangle* const t : triangles) {
+    if (!(thickness_of(grid_.mesh, *t) > std::max(thin, least))) continue;
+    for (const dvec3& weights : kMiddlesOfTriangle) places.push_back({t, weights});
+  }
+  std::vector<Expected> above = expect_of_each(places, 1);
+  for (Expected& expected : above) {
+    expected.distance = std::min(expected.near, thickness_of(grid_.mesh, *expected.place.triangle));
+  }
+  std::erase_if(above, [least](const Expected& expected) { return !(expected.distance > least); });
+  std::ranges::stable_sort(above, std::ranges::greater(), [](const Expected& expected) {
+    return std::pair(expected.distance, expected.near);
+  });
+  return above;
+}
+
+/// The places that are expected to be farthest, 192 at most. Triangles are taken a part at a time:
+/// there may be millions.
 std::vector<WholeMeshError::Expected> WholeMeshError::expect_farthest(
     std::span<const Triangle* const> triangles, double known) const {
   std::vector<Expected> farthest;
   for (auto rest = triangles; !rest.empty();) {
-    const auto some = rest.first(std::min(rest.size(), kInBatch));
+    const auto some = rest.first(std::min(rest.size(), kKeptAtATime));
     rest = rest.subspan(some.size());
-    std::vector<MeshPlace> places;
-    for (const Triangle* const t : some) {
-      if (!(thickness_of(grid_.mesh, *t) > known)) continue;
-      for (const dvec3& weights : kMiddlesOfTriangle) places.push_back({t, weights});
+    const double least = farthest.size() < kMostSearched ? 0 : farthest.back().distance;
+    std::vector<std::vector<Expected>> found((some.size() - 1) / kInBatch + 1);
+    parallel_chunks(some.size(), kInBatch, threads_, [&](std::size_t begin, std::size_t end) {
+      found[begin / kInBatch] = expect_above(some.subspan(begin, end - begin), known, least);
+    });
+    for (const std::vector<Expected>& more : found) {
+      std::vector<Expected> both;
+      std::ranges::merge(farthest, more, std::back_inserter(both), std::ranges::greater(),
+                         &Expected::distance, &Expected::distance);
+      if (both.size() > kMostSearched) both.resize(kMostSearched);
+      farthest = std::move(both);
     }
-    std::vector<Expected> more = expect(places);
-    for (Expected& expected : more) {
-      expected.distance =
-          std::min(expected.near, thickness_of(grid_.mesh, *expected.place.triangle));
-    }
-    std::ranges::stable_sort(more, std::ranges::greater(), &Expected::distance);
-    std::vector<Expected> both;
-    std::ranges::merge(farthest, more, std::back_inserter(both), std::ranges::greater(),
-                       &Expected::distance, &Expected::distance);
-    if (both.size() > kMostSearched) both.resize(kMostSearched);
-    farthest = std::move(both);
   }
   return farthest;
 }

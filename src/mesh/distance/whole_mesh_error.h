@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,7 +39,8 @@ class WholeMeshError {
         all_(all),
         clip_(clip),
         threads_(threads),
-        has_cliffs_(has_cliffs) {}
+        has_cliffs_(has_cliffs),
+        tree_(grid.mesh.position, all, threads, surface.tangents.count) {}
 
   /// A place over triangles, of a leaf.
   struct Place {
@@ -86,10 +86,13 @@ class WholeMeshError {
     double distance;
     double near;  ///< its distance from the nearest known point of the surface
   };
+  std::vector<Expected> expect_of_each(std::span<const MeshPlace> places, unsigned threads) const;
+  /// The farthest first.
   std::vector<Expected> expect(std::span<const MeshPlace> places) const;
+  std::vector<Expected> expect_above(std::span<const Triangle* const> triangles, double thin,
+                                     double least) const;
   std::vector<Expected> expect_farthest(std::span<const Triangle* const> triangles,
                                         double known) const;
-  const TriangleTree& tree() const;
   dvec2 within_domain(const dvec2& uv) const;
   dvec2 uv_of(const MeshPlace& place) const;
   dvec3 position_of(const MeshPlace& place) const;
@@ -123,8 +126,7 @@ class WholeMeshError {
   std::optional<Bounds> clip_;
   unsigned threads_;
   bool has_cliffs_;
-  mutable std::once_flag has_tree_;
-  mutable std::optional<TriangleTree> tree_;  // made for the first point it is asked for
+  TriangleTree tree_;
 };
 
 }  // namespace saddle

@@ -30,24 +30,45 @@ class ErrorSearch {
   const PlacedError& worst() const { return worst_; }
 
   /// Measures leaves at their places.
-  void measure(std::span<const SearchedLeaf> leaves) {
+  void measure(std::span<const SuspectLeaf> leaves, const WholeMeshSearch& how) {
+    std::vector<SearchedPart> parts;
+    std::vector<std::size_t> ends;  // of each part's places
     std::vector<WholeMeshError::Place> places;
-    for (const SearchedLeaf& leaf : leaves) {
-      for (const dvec2& uv : leaf.places)
-        places.push_back({uv, leaf.part.triangles, worst_.distance / leaf.part.scale});
+    for (const SuspectLeaf& suspect : leaves) {
+      parts.push_back(how.part(suspect.leaf));
+      const SearchedPart& part = parts.back();
+      for (const dvec2& uv : how.places(suspect.leaf))
+        places.push_back({uv, part.triangles, worst_.distance / part.scale});
+      ends.push_back(places.size());
     }
     const std::vector<double> found = whole_.distances(places);
     std::size_t k = 0;
-    for (const SearchedLeaf& leaf : leaves) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const SearchedPart& part = parts[i];
       // A part without triangles may go on in leaves without vertices.
-      const ParameterBox& box = leaf.part.triangles.empty() ? domain_ : leaf.part.box;
-      WholeMeshError::Climb start{{0, leaf.part.box.middle()}, box, leaf.part.triangles};
-      for (const dvec2& uv : leaf.places) {
-        if (found[k] > start.best.distance) start.best = {found[k], uv};
-        ++k;
+      const ParameterBox& box = part.triangles.empty() ? domain_ : part.box;
+      WholeMeshError::Climb start{{0, part.box.middle()}, box, part.triangles};
+      for (; k < ends[i]; ++k) {
+        if (found[k] > start.best.distance) start.best = {found[k], places[k].uv};
       }
-      take(start.best, leaf.part.scale);
-      starts_.push_back({start, leaf.part.scale});
+      take(start.best, part.scale);
+      starts_.push_back({start, part.scale});
+    }
+  }
+
+  /// Measures leaves, sorted by their errors, that may be farther off than what is known: others
+  /// need be known no better. `ends`: whether to stop, by the largest error so far.
+  void measure_worst(std::span<const SuspectLeaf> leaves, const WholeMeshSearch& how,
+                     const std::function<bool(double)>& ends) {
+    const auto may_be_worst = [this](const SuspectLeaf& leaf) {
+      return leaf.has_moved || leaf.error > worst_.distance;
+    };
+    for (std::size_t next = 0, at_once = kMostFollowed; next < leaves.size();
+         next += std::exchange(at_once, kInBatch)) {
+      const auto some = leaves.subspan(next, std::min(at_once, leaves.size() - next));
+      if (std::ranges::none_of(some, may_be_worst)) continue;
+      measure(some, how);
+      if (ends(worst_.distance)) break;
     }
   }
 
@@ -96,16 +117,17 @@ double work_of(const Surface& surface) {
 
 }  // namespace
 
-PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspects,
+PlacedError largest_error(const Surface& surface, std::span<SuspectLeaf> suspects,
                           std::span<const SearchedPart> others, KnownHulls& hulls,
                           const WholeMeshSearch& how) {
   // Where sheets lie close together, all parts would take ten times the work of the mesh. Once it
   // is known to be off, not all are searched.
   const double most_work = (1 + kShareOfMesh) * work_of(surface);
   const auto is_at_limit = [&] { return work_of(surface) > most_work; };
-  const auto distance = [&how](const SearchedPart& part, const dvec2& uv, const dvec3& position,
-                               double known) {
-    return how.whole().distance({uv, part.triangles, known}, position);
+  const WholeMeshError* whole = nullptr;  // made before several threads ask for distances
+  const auto distance = [&whole](const SearchedPart& part, const dvec2& uv, const dvec3& position,
+                                 double known) {
+    return whole->distance({uv, part.triangles, known}, position);
   };
   FeatureSearch features(surface, hulls, distance, how.tolerance, how.clip, how.threads);
   // Features that do not stick out are looked for in a mesh that is off anyway.
@@ -113,14 +135,17 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
     return static_cast<std::size_t>(std::ceil(how.share * static_cast<double>(most)));
   };
   const bool is_off = std::ranges::any_of(
-      suspects, [&](const SearchedLeaf& leaf) { return leaf.error > how.tolerance; });
+      suspects, [&](const SuspectLeaf& leaf) { return leaf.error > how.tolerance; });
   std::vector<SearchedPart> parts =
       features.widest(shared(kMostOpen), is_off ? shared(kMostFollowed) : 0, others.size(),
                       [others](std::size_t k) { return others[k]; });
   if (suspects.empty() && parts.empty()) return {};
-  std::ranges::stable_sort(suspects, std::ranges::greater(), &SearchedLeaf::error);
-  for (const SearchedLeaf& leaf : suspects.first(std::min(shared(kMostOpen), suspects.size())))
-    parts.push_back(leaf.part);
+  whole = &how.whole();
+  std::ranges::stable_sort(suspects, std::ranges::greater(), &SuspectLeaf::error);
+  for (const SuspectLeaf& suspect : suspects.first(std::min(shared(kMostOpen), suspects.size()))) {
+    parts.push_back(how.part(suspect.leaf));
+    parts.back().sticks_out = false;
+  }
   auto rest = std::span<const SearchedPart>(parts);
   std::vector<PlacedError> in_parts;
   const auto follow = [&](const auto& may_go_on) {
@@ -133,21 +158,13 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   };
   const PlacedError followed =
       follow([&] { return surface.may_go_on() && !(is_off && is_at_limit()); });
-  ErrorSearch search(box_of(surface.domain), how.tolerance, how.whole(), followed);
-  const auto may_be_worst = [&search](const SearchedLeaf& leaf) {
-    return leaf.has_moved || leaf.error > search.worst().distance;
-  };
-  // Others need be known no better than the worst. Without time or points only these are measured.
-  for (std::size_t next = 0, at_once = kMostFollowed; next < suspects.size();
-       next += std::exchange(at_once, kInBatch)) {
-    const auto some = suspects.subspan(next, std::min(at_once, suspects.size() - next));
-    if (std::ranges::none_of(some, may_be_worst)) continue;
-    search.measure(some);
-    if (!surface.may_go_on()) return search.worst();
-    if (is_at_limit() && search.worst().distance > how.tolerance) break;
-  }
+  ErrorSearch search(box_of(surface.domain), how.tolerance, *whole, followed);
+  search.measure_worst(suspects, how, [&](double worst) {
+    return !surface.may_go_on() || (is_at_limit() && worst > how.tolerance);
+  });
+  if (!surface.may_go_on()) return search.worst();
   search.climb(shared(kMostFollowed));
-  for (const SearchedLeaf& leaf : suspects) search.measure_triangles(leaf.part);
+  for (const SuspectLeaf& suspect : suspects) search.measure_triangles(how.part(suspect.leaf));
   for (const SearchedPart& part : others) search.measure_triangles(part);
   search.climb_on_mesh();
   // A leaf that is off by its own triangles may be near others.

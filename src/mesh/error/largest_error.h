@@ -15,12 +15,11 @@
 
 namespace saddle {
 
-/// A leaf that is searched for the largest error.
-struct SearchedLeaf {
+/// A leaf that validation found to be off, or of which a corner has moved since.
+struct SuspectLeaf {
+  std::size_t leaf;        ///< its number
   double error = 0;        ///< by validation, scaled
-  bool has_moved = false;  ///< a corner has, since validation
-  SearchedPart part;
-  std::vector<dvec2> places;  ///< where its error was sampled
+  bool has_moved = false;  ///< a corner has
 };
 
 /// A search for the largest error against the whole mesh.
@@ -29,13 +28,14 @@ struct WholeMeshSearch {
   const std::optional<Bounds>& clip;
   double share;  ///< of searches, as of one of many surfaces
   unsigned threads;
+  std::function<SearchedPart(std::size_t leaf)> part;          ///< makes that of a leaf
+  std::function<std::vector<dvec2>(std::size_t leaf)> places;  ///< where its error was sampled
   std::function<const WholeMeshError&()> whole;  ///< called only if there is anything to measure
 };
 
-/// The largest error, scaled. `suspects`: leaves that validation found to be off, or whose corners
-/// have moved since; each error is replaced only after its places were measured. `others`: leaves
-/// whose samples may miss a feature that sticks out.
-PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspects,
+/// The largest error, scaled. The error of a suspect is replaced only after its places were
+/// measured. `others`: leaves whose samples may miss a feature that sticks out.
+PlacedError largest_error(const Surface& surface, std::span<SuspectLeaf> suspects,
                           std::span<const SearchedPart> others, KnownHulls& hulls,
                           const WholeMeshSearch& how);
 

@@ -100,7 +100,7 @@ class Measurer {
       : clip_(clip),
         threads_(threads),
         tree_(tree),
-        whole_(tree.mesh().position, triangles, tree.surface().tangents.count) {}
+        whole_(tree.mesh().position, triangles, threads, tree.surface().tangents.count) {}
 
   void add(std::size_t leaf, std::span<const Place> places) {
     result_.push_back({leaf, {}});

@@ -184,16 +184,17 @@ class Finisher {
 
   /// The largest distance of parts that are left out, because their triangles have no area, from
   /// the mesh. Such a part is a line or a point, but it may be long.
-  void take_lost_parts(const LeafTriangles& triangles, const std::optional<Bounds>& clip,
+  void take_lost_parts(const LeafTriangles& triangles, const MeshRequest& request,
                        MeshReport& report) const {
     const std::vector<std::uint32_t> lost = lost_corners(triangles);
     // A needle to a pole ends at rounding alone, at no distance that could be measured.
     if (lost.empty() || report.pole_count > 0) return;
     const auto& position = grid_.mesh.position;
-    const TriangleTree mesh(position, triangles.all, tree_.surface().tangents.count);
+    const TriangleTree mesh(position, triangles.all, request.threads,
+                            tree_.surface().tangents.count);
     for (const std::uint32_t corner : lost) {
       const dvec3& p = position[corner];
-      if (!is_seen(clip, p)) continue;
+      if (!is_seen(request.clip, p)) continue;
       const double distance = mesh.distance(p);
       if (distance > std::max(report.max_error, *report.tolerance))
         report.worst_place = grid_.mesh.uv[corner];
@@ -321,7 +322,7 @@ std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& requ
   mesher.reach_extremes();
   report_errors(surface, request, mesher, triangles, report);
   if (triangles.all.empty()) return std::nullopt;
-  finisher.take_lost_parts(triangles, request.clip, report);
+  finisher.take_lost_parts(triangles, request, report);
   report.undefined_fraction = finisher.undefined_fraction(surface.domain);
   // A polygon that meets itself at a pole may have more triangles than its corners suggest. Flat
   // triangles outside of a clip box are not counted, so none are with a box.

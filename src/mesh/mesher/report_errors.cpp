@@ -48,8 +48,7 @@ class ErrorReporter {
   void report(const Surface& surface, const MeshRequest& request, const LeafTriangles& triangles,
               MeshReport& report) const {
     PlacedError worst;
-    std::vector<std::size_t> suspects;
-    bool is_off = false;  // in leaves that are not clipped
+    std::vector<SuspectLeaf> suspects;
     for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
       const Leaf& leaf = mesh_.leaves[k];
       // On the way to a pole that no search found, the surface may cross the box between vertices.
@@ -62,8 +61,7 @@ class ErrorReporter {
       // A leaf that is above what it aims at, but too small to halve, may hold more.
       const bool is_suspect = is_far || !mesh_.is_near(k) || may_reach_extremes(leaf);
       if (is_suspect && (is_missing || may_be_near(k, request.clip.has_value()))) {
-        suspects.push_back(k);
-        is_off = is_off || (is_far && !is_clipped);
+        suspects.push_back({k, error.distance, may_reach_extremes(leaf)});
       } else if (is_missing || is_clipped) {
         continue;
       } else if (error.distance > worst.distance) {
@@ -74,16 +72,10 @@ class ErrorReporter {
           thickness_of(leaf, grid_, tree_) > kSeenTurn * mesh_.allowed[k])
         report.max_normal_error = degrees;
     }
-    std::vector<SearchedLeaf> suspected;
-    for (const std::size_t k : suspects) {
-      const bool has_moved = may_reach_extremes(mesh_.leaves[k]);
-      suspected.push_back({error_of(k).distance, has_moved, searched(k, triangles), {}});
-      suspected.back().part.sticks_out = false;
-      append_places(surface.domain, k, triangles.of(k).empty(), suspected.back().places);
-    }
-    const PlacedError beside = append_edges(surface, request, suspects, triangles, suspected);
+    std::vector<PlaceInLeaf> at_edges;
+    const PlacedError beside = find_at_edges(surface, request, suspects, triangles, at_edges);
     if (beside.distance > worst.distance) worst = beside;
-    const PlacedError found = search(surface, request, suspected, is_off, triangles);
+    const PlacedError found = search(surface, request, suspects, at_edges, triangles);
     if (found.distance > worst.distance) worst = found;
     report.max_error = worst.distance;
     if (worst.distance > *report.tolerance) report.worst_place = worst.uv;
@@ -149,34 +141,43 @@ class ErrorReporter {
            !has_cut(FeatureKind::Jump, leaf, tree_) && !mesher_.crosses_box(leaf);
   }
 
-  /// Appends the places of the surface that are far off beside its edges. Returns the largest error
-  /// at the edges of the mesh, which its other triangles do not reduce.
-  PlacedError append_edges(const Surface& surface, const MeshRequest& request,
-                           std::span<const std::size_t> suspects, const LeafTriangles& triangles,
-                           std::span<SearchedLeaf> suspected) const {
+  /// A place of a leaf, by the leaf's number.
+  struct PlaceInLeaf {
+    std::size_t leaf;
+    dvec2 uv;
+  };
+
+  /// Appends the places of the surface that are far off beside its edges, leaf by leaf. Returns the
+  /// largest error at the edges of the mesh, which its other triangles do not reduce.
+  PlacedError find_at_edges(const Surface& surface, const MeshRequest& request,
+                            std::span<const SuspectLeaf> suspects, const LeafTriangles& triangles,
+                            std::vector<PlaceInLeaf>& places) const {
     BoundaryDistance edges(surface, grid_, tree_, request.clip, request.threads);
-    for (std::size_t i = 0; i < suspects.size(); ++i) {
-      const std::size_t k = suspects[i];
-      if (has_edge(mesh_.leaves[k]))
-        edges.add(mesh_.leaves[k], i, triangles.of(k), mesh_.allowed[k]);
+    for (const SuspectLeaf& suspect : suspects) {
+      const Leaf& leaf = mesh_.leaves[suspect.leaf];
+      if (has_edge(leaf))
+        edges.add(leaf, suspect.leaf, triangles.of(suspect.leaf), mesh_.allowed[suspect.leaf]);
     }
     PlacedError worst;
     for (const auto& found : edges.measure()) {
-      const SearchedLeaf& leaf = suspected[found.leaf];
-      const double error = leaf.part.scale * found.distance;
+      const double error = scale_of(found.leaf) * found.distance;
       if (found.uv) {
-        suspected[found.leaf].places.push_back(*found.uv);
+        places.push_back({found.leaf, *found.uv});
       } else if (error > worst.distance) {
-        worst = {error, leaf.part.box.middle()};
+        worst = {error, searched(found.leaf, triangles).box.middle()};
       }
     }
+    std::ranges::stable_sort(places, {}, &PlaceInLeaf::leaf);
     return worst;
   }
 
-  /// `is_off`: whether the mesh has errors for which all of it is searched.
+  /// Searches all of a mesh with errors in leaves that are not clipped.
   PlacedError search(const Surface& surface, const MeshRequest& request,
-                     std::span<SearchedLeaf> suspected, bool is_off,
+                     std::span<SuspectLeaf> suspects, std::span<const PlaceInLeaf> at_edges,
                      const LeafTriangles& triangles) const {
+    const bool is_off = std::ranges::any_of(suspects, [this](const SuspectLeaf& suspect) {
+      return suspect.error > tolerance_ && !mesher_.is_clipped(mesh_.leaves[suspect.leaf]);
+    });
     std::vector<SearchedPart> others;
     const bool is_sampled = request.samples.has_value();
     std::vector<std::size_t> leaves = searchable_leaves(triangles);
@@ -191,9 +192,17 @@ class ErrorReporter {
                       tree_.edges().has_cliffs());
       return *whole;
     };
-    return largest_error(
-        surface, suspected, others, mesher_.hulls(),
-        {tolerance_, request.clip, share_of_search(request), request.threads, measured});
+    const auto part = [&](std::size_t leaf) { return searched(leaf, triangles); };
+    const auto places = [&](std::size_t leaf) {
+      std::vector<dvec2> result;
+      append_places(surface.domain, leaf, triangles.of(leaf).empty(), result);
+      auto at = std::ranges::lower_bound(at_edges, leaf, {}, &PlaceInLeaf::leaf);
+      for (; at != at_edges.end() && at->leaf == leaf; ++at) result.push_back(at->uv);
+      return result;
+    };
+    return largest_error(surface, suspects, others, mesher_.hulls(),
+                         {tolerance_, request.clip, share_of_search(request), request.threads, part,
+                          places, measured});
   }
 
   /// Where waves fill an area, samples alone show that the mesh is off by about their height.

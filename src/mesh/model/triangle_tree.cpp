@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -49,61 +48,102 @@ double square_distance(const dvec3& p, const Bounds& box) {
   return square(p - glm::clamp(p, box.low, box.high));
 }
 
+/// A corner that is finite, or 0: near all of them, beside how far they may be from 0.
+dvec3 finite_corner(std::span<const dvec3> position, std::span<const Triangle> triangles) {
+  for (const Triangle& t : triangles) {
+    if (is_finite(position[t[0]])) return position[t[0]];
+  }
+  return dvec3(0);
+}
+
+/// Nodes of a tree of so many triangles. A level has halves of the triangles of the level before,
+/// rounded either way: all but the last one are full.
+std::size_t count_nodes(std::size_t triangles) {
+  std::size_t level = 1;
+  while (triangles / level > kTrianglesOfNode) level *= 2;
+  // A node with one triangle too many has two leaves below it.
+  const std::size_t halved = triangles / level == kTrianglesOfNode ? triangles % level : 0;
+  return 2 * level - 1 + 2 * halved;
+}
+
 }  // namespace
 
 TriangleTree::TriangleTree(std::span<const dvec3> position, std::span<const Triangle> triangles,
-                           std::shared_ptr<PointCount> count)
-    : position_(position), count_(std::move(count)) {
-  Array<Item> items;
-  items.reserve(triangles.size());
-  for (std::uint32_t k = 0; k < triangles.size(); ++k) {
-    const Triangle& t = triangles[k];
-    items.push_back({position[t[0]] + position[t[1]] + position[t[2]], k});
-  }
-  entries_.reserve(items.size());
-  nodes_.reserve(2 * std::bit_ceil(items.size() / kTrianglesOfNode + 1));
-  if (!items.empty()) build(items, triangles);
+                           unsigned threads, std::shared_ptr<PointCount> count)
+    : position_(position), origin_(finite_corner(position, triangles)), count_(std::move(count)) {
+  Array<Item> items(triangles.size());
+  parallel_chunks(items.size(), kKeptAtATime, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Triangle& t = triangles[k];
+      items[k] = {position[t[0]] + position[t[1]] + position[t[2]], static_cast<std::uint32_t>(k)};
+    }
+  });
+  entries_.resize(items.size());
+  nodes_.resize(items.empty() ? 0 : count_nodes(items.size()));
+  if (!items.empty()) build(items, triangles, threads);
 }
 
-/// Appends the triangles of a leaf.
-TriangleTree::Node TriangleTree::leaf_of(std::span<const Item> items,
-                                         std::span<const Triangle> triangles) {
-  Node leaf = {
-      {}, static_cast<std::uint32_t>(entries_.size()), static_cast<std::uint32_t>(items.size())};
-  for (const Item& item : items) {
-    const Triangle& corners = triangles[item.triangle];
-    const Bounds box = box_of(corners);
-    entries_.push_back({WideBox(box), corners, item.triangle});
-    leaf.box.add(box);
+/// Builds large subtrees side by side.
+void TriangleTree::build(std::span<Item> items, std::span<const Triangle> triangles,
+                         unsigned threads) {
+  std::vector<Subtree> subtrees = {{0, 0, items}};
+  std::vector<std::size_t> above;  // nodes, each after the one that it is a half of
+  while (subtrees.front().items.size() > kInBatch && subtrees.size() < kSearchedTogether) {
+    std::vector<Subtree> halves(2 * subtrees.size());
+    parallel_chunks(subtrees.size(), 1, threads, [&](std::size_t k, std::size_t) {
+      std::ranges::copy(halve(subtrees[k]), halves.begin() + static_cast<std::ptrdiff_t>(2 * k));
+    });
+    for (const Subtree& subtree : subtrees) above.push_back(subtree.node);
+    subtrees = std::move(halves);
   }
-  return leaf;
+  parallel_chunks(subtrees.size(), 1, threads,
+                  [&](std::size_t k, std::size_t) { build(subtrees[k], triangles); });
+  std::for_each(above.rbegin(), above.rend(),
+                [this](std::size_t node) { add_boxes_of_halves(node); });
 }
 
-/// Nodes follow each other in the order of build(): a node, those of its first half, of its second.
-void TriangleTree::build(std::span<Item> items, std::span<const Triangle> triangles) {
-  if (items.size() <= kTrianglesOfNode) {
-    nodes_.push_back(leaf_of(items, triangles));
-    return;
+void TriangleTree::build(const Subtree& subtree, std::span<const Triangle> triangles) {
+  if (subtree.items.size() <= kTrianglesOfNode) return make_leaf(subtree, triangles);
+  for (const Subtree& half : halve(subtree)) build(half, triangles);
+  add_boxes_of_halves(subtree.node);
+}
+
+void TriangleTree::make_leaf(const Subtree& leaf, std::span<const Triangle> triangles) {
+  Bounds around;
+  for (std::size_t k = 0; k < leaf.items.size(); ++k) {
+    const std::uint32_t number = leaf.items[k].triangle;
+    const Bounds box = box_of(triangles[number]);
+    entries_[leaf.first + k] = {from_origin(box), triangles[number], number};
+    around.add(box);
   }
-  const std::size_t self = nodes_.size();
-  nodes_.emplace_back();
+  nodes_[leaf.node] = {from_origin(around), static_cast<std::uint32_t>(leaf.first),
+                       static_cast<std::uint32_t>(leaf.items.size())};
+}
+
+/// Sorts the triangles of a node into its halves, and makes it known where the second one is: nodes
+/// follow each other in this order: a node, those of its first half, of its second.
+std::array<TriangleTree::Subtree, 2> TriangleTree::halve(const Subtree& whole) {
   Bounds middles;
-  for (const Item& item : items) middles.add(item.middle);
+  for (const Item& item : whole.items) middles.add(item.middle);
   const dvec3 size = middles.size();
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::size_t half = items.size() / 2;
-  std::ranges::nth_element(items, items.begin() + static_cast<std::ptrdiff_t>(half), {},
+  const std::size_t half = whole.items.size() / 2;
+  std::ranges::nth_element(whole.items, whole.items.begin() + static_cast<std::ptrdiff_t>(half), {},
                            [axis](const Item& item) { return item.middle[axis]; });
-  build(items.first(half), triangles);
-  nodes_[self].first = static_cast<std::uint32_t>(nodes_.size());
-  build(items.subspan(half), triangles);
-  for (const std::size_t child : {self + 1, std::size_t{nodes_[self].first}})
-    nodes_[self].box.add(nodes_[child].box);
+  const Subtree first = {whole.node + 1, whole.first, whole.items.first(half)};
+  const Subtree second = {first.node + count_nodes(half), whole.first + half,
+                          whole.items.subspan(half)};
+  nodes_[whole.node] = {{}, static_cast<std::uint32_t>(second.node), 0};
+  return {first, second};
+}
+
+void TriangleTree::add_boxes_of_halves(std::size_t node) {
+  nodes_[node].box = WideBox(nodes_[node + 1].box, nodes_[nodes_[node].first].box);
 }
 
 bool TriangleTree::overlap(const NodePair& pair) const {
-  const Bounds& a = nodes_[pair.first].box;
-  const Bounds& b = nodes_[pair.second].box;
+  const Bounds a = nodes_[pair.first].box.bounds();
+  const Bounds b = nodes_[pair.second].box.bounds();
   return glm::all(glm::lessThanEqual(a.low, b.high)) && glm::all(glm::lessThanEqual(b.low, a.high));
 }
 
@@ -123,9 +163,9 @@ void TriangleTree::add_halves(const NodePair& pair, std::vector<NodePair>& pairs
     add(a + 1, nodes_[a].first);
     return;
   }
-  const bool halve_first =
-      nodes_[b].count > 0 ||
-      (nodes_[a].count == 0 && nodes_[a].box.diagonal() >= nodes_[b].box.diagonal());
+  const bool halve_first = nodes_[b].count > 0 ||
+                           (nodes_[a].count == 0 &&
+                            nodes_[a].box.bounds().diagonal() >= nodes_[b].box.bounds().diagonal());
   const std::uint32_t halved = halve_first ? a : b;
   const std::uint32_t other = halve_first ? b : a;
   add(halved + 1, other);
@@ -215,7 +255,8 @@ TriangleTree::Found TriangleTree::find_nearest(const dvec3& p, double known, dou
   std::array<Visit, 64> stack{};  // halves of halves: as deep as the logarithm of the count
   std::size_t depth = 0;
   std::size_t visited = 0;
-  stack[depth++] = {0, square_distance(p, nodes_[0].box)};
+  const dvec3 local = p - origin_;
+  stack[depth++] = {0, square_distance(local, nodes_[0].box.bounds())};
   while (depth > 0 && !(best <= enough * enough)) {
     const Visit visit = stack[--depth];
     if (visit.from >= best) continue;
@@ -224,7 +265,7 @@ TriangleTree::Found TriangleTree::find_nearest(const dvec3& p, double known, dou
     if (node.count > 0) {
       for (const Entry& entry : std::span(entries_).subspan(node.first, node.count)) {
         // Skips about five of six triangles.
-        if (square_distance(p, entry.box.bounds()) >= best) continue;
+        if (square_distance(local, entry.box.bounds()) >= best) continue;
         const double square = square_of(entry.corners);
         if (!(square < best)) continue;
         best = square;
@@ -232,8 +273,8 @@ TriangleTree::Found TriangleTree::find_nearest(const dvec3& p, double known, dou
       }
       continue;
     }
-    Visit near = {visit.node + 1, square_distance(p, nodes_[visit.node + 1].box)};
-    Visit far = {node.first, square_distance(p, nodes_[node.first].box)};
+    Visit near = {visit.node + 1, square_distance(local, nodes_[visit.node + 1].box.bounds())};
+    Visit far = {node.first, square_distance(local, nodes_[node.first].box.bounds())};
     if (far.from < near.from) std::swap(near, far);
     stack[depth++] = far;
     stack[depth++] = near;

@@ -3,6 +3,7 @@
 // Source: C. Ericson, "Real-time collision detection", 2005, 5.1.5 and chapter 6.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -32,11 +33,12 @@ struct PairCount {
 
 class TriangleTree {
  public:
-  /// The tree keeps a reference to the positions.
-  explicit TriangleTree(const Mesh& mesh) : TriangleTree(mesh.position, mesh.triangles) {}
+  /// The tree keeps a reference to the positions. It is built on so many threads (0: all).
+  explicit TriangleTree(const Mesh& mesh, unsigned threads = 0)
+      : TriangleTree(mesh.position, mesh.triangles, threads) {}
   /// Distances are counted as work in `count`, if there is one.
   TriangleTree(std::span<const dvec3> position, std::span<const Triangle> triangles,
-               std::shared_ptr<PointCount> count = nullptr);
+               unsigned threads = 0, std::shared_ptr<PointCount> count = nullptr);
 
   /// The nearest triangle, by its number, and its distance.
   struct Nearest {
@@ -66,14 +68,13 @@ class TriangleTree {
   PairCount count_pairs(const PairTest& test, std::size_t most_tests, unsigned threads) const;
 
  private:
+  /// Small, as what its test needs is in one place: in large trees most time is waiting for memory.
   struct Node {
-    Bounds box;
-    std::uint32_t first =
-        0;  ///< leaf: of its triangles; else: its second child (the first follows)
-    std::uint32_t count = 0;  ///< leaf: triangles; else 0
+    WideBox box;
+    std::uint32_t first;  ///< leaf: of its triangles; else: its second child (the first follows)
+    std::uint32_t count;  ///< leaf: triangles; else 0
   };
-  /// A triangle, with what its test needs in one place: in large trees most time is waiting for
-  /// memory.
+  /// A triangle, with what its test needs.
   struct Entry {
     WideBox box;
     Triangle corners;
@@ -84,8 +85,16 @@ class TriangleTree {
     dvec3 middle;
     std::uint32_t triangle;
   };
-  Node leaf_of(std::span<const Item> items, std::span<const Triangle> triangles);
-  void build(std::span<Item> items, std::span<const Triangle> triangles);
+  struct Subtree {
+    std::size_t node = 0;   ///< its root
+    std::size_t first = 0;  ///< its first entry
+    std::span<Item> items;
+  };
+  void build(std::span<Item> items, std::span<const Triangle> triangles, unsigned threads);
+  void build(const Subtree& subtree, std::span<const Triangle> triangles);
+  void make_leaf(const Subtree& leaf, std::span<const Triangle> triangles);
+  std::array<Subtree, 2> halve(const Subtree& whole);
+  void add_boxes_of_halves(std::size_t node);
   struct Found {
     double distance;
     const Entry* entry;  ///< null: none is nearer than what was known
@@ -100,9 +109,13 @@ class TriangleTree {
   void add_halves(const NodePair& pair, std::vector<NodePair>& pairs) const;
   std::vector<NodePair> pairs_of_tasks() const;
   Bounds box_of(const Triangle& triangle) const;
+  WideBox from_origin(const Bounds& box) const {
+    return WideBox({box.low - origin_, box.high - origin_});
+  }
   void test_leaves(const NodePair& pair, const PairTest& test, PairCount& count) const;
 
   std::span<const dvec3> position_;
+  dvec3 origin_;  // of boxes: floats have few digits for a mesh that is far from 0
   std::shared_ptr<PointCount> count_;
   Array<Entry> entries_;  // in the order of the leaves
   Array<Node> nodes_;

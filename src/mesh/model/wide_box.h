@@ -13,6 +13,8 @@ namespace saddle {
 /// Half the memory of a box, and wider than it: a point outside of it is outside of the box.
 class WideBox {
  public:
+  /// Uninitialised.
+  WideBox() = default;
   /// Numbers beyond the largest float become that or infinity, whichever is outside.
   explicit WideBox(const Bounds& box) {
     using Float = std::numeric_limits<float>;
@@ -23,6 +25,9 @@ class WideBox {
     low_ = glm::min(box.low - margin, dvec3(Float::max()));
     high_ = glm::max(box.high + margin, dvec3(Float::lowest()));
   }
+  /// Around two boxes.
+  WideBox(const WideBox& a, const WideBox& b)
+      : low_(glm::min(a.low_, b.low_)), high_(glm::max(a.high_, b.high_)) {}
   Bounds bounds() const { return {low_, high_}; }
 
  private:

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/numbers.h"
+#include "base/parallel.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
 
@@ -128,13 +129,15 @@ std::vector<double> FeatureSearch::distances_of(std::span<const Sample> samples)
   std::ranges::transform(samples, uv.begin(), &Sample::uv);
   const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);
   std::vector<double> result(samples.size(), 0);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Sample& sample = samples[k];
-    const dvec3& p = points[k];
-    if (!is_seen(clip_, p)) continue;
-    const double known = sample.known / sample.part->scale;
-    result[k] = sample.part->scale * distance_(*sample.part, sample.uv, p, known);
-  }
+  parallel_chunks(points.size(), kFirstSearched, threads_, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Sample& sample = samples[k];
+      const dvec3& p = points[k];
+      if (!is_seen(clip_, p)) continue;
+      const double known = sample.known / sample.part->scale;
+      result[k] = sample.part->scale * distance_(*sample.part, sample.uv, p, known);
+    }
+  });
   return result;
 }
 

@@ -90,7 +90,7 @@ Crossings count_crossings(const Mesh& mesh, unsigned threads) {
     }
     return false;
   };
-  const TriangleTree tree(mesh);
+  const TriangleTree tree(mesh, threads);
   const PairCount count = tree.count_pairs(
       [&](std::uint32_t i, std::uint32_t j) {
         const Triangle& a = mesh.triangles[i];

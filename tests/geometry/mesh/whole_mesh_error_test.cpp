@@ -66,7 +66,7 @@ TEST(TriangleTree, CountsDistancesAsWork) {
   const Mesh mesh = mesh_of("sin(3*u*v)").mesh;
   const auto count = std::make_shared<PointCount>();
   count->allow(1000);
-  const TriangleTree tree(mesh.position, mesh.triangles, count);
+  const TriangleTree tree(mesh.position, mesh.triangles, 1, count);
   tree.distance(dvec3(0.3, 0.2, 0.1));
   EXPECT_FALSE(count->is_used_up()) << "one distance visits a few nodes";
   for (int k = 0; k < 10'000; ++k) tree.distance(dvec3(1e-4 * k, 0.2, 0.1));

@@ -49,19 +49,24 @@ TEST(NearestTriangles, AreThoseOfALookAtEach) {
 }
 
 TEST(TriangleTree, NamesTheNearestTriangle) {
-  Grid grid;
-  const Array<Triangle> triangles = random_triangles(1000, grid);
-  const TriangleTree tree(grid.mesh.position, triangles);
-  for (std::uint64_t k = 0; k < 20; ++k) {
-    const dvec3 place = random_point(1'000'000 + k);
-    const auto [distance, which] = tree.nearest(place);
-    ASSERT_TRUE(which);
-    EXPECT_NEAR(nearest_point(grid, triangles[*which], place).distance, distance, 1e-12);
-    for (const Triangle& triangle : triangles)
-      EXPECT_GE(nearest_point(grid, triangle, place).distance, distance - 1e-12);
-    const auto [known, none] = tree.nearest(place, 0.5 * distance);
-    EXPECT_FALSE(none);
-    EXPECT_EQ(known, 0.5 * distance);
+  // The numbers of nodes follow from these counts: full levels, one triangle more, and many.
+  for (const std::size_t count : {1, 4, 5, 8, 9, 16, 17, 31, 33, 1000, 5001}) {
+    Grid grid;
+    const Array<Triangle> triangles = random_triangles(count, grid);
+    for (const unsigned threads : {1U, 3U}) {
+      const TriangleTree tree(grid.mesh.position, triangles, threads);
+      for (std::uint64_t k = 0; k < 20; ++k) {
+        const dvec3 place = random_point(1'000'000 + k);
+        const auto [distance, which] = tree.nearest(place);
+        ASSERT_TRUE(which);
+        EXPECT_NEAR(nearest_point(grid, triangles[*which], place).distance, distance, 1e-12);
+        for (const Triangle& triangle : triangles)
+          EXPECT_GE(nearest_point(grid, triangle, place).distance, distance - 1e-12) << count;
+        const auto [known, none] = tree.nearest(place, 0.5 * distance);
+        EXPECT_FALSE(none);
+        EXPECT_EQ(known, 0.5 * distance);
+      }
+    }
   }
 }
 
