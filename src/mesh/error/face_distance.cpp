@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
+#include "base/parallel.h"
 #include "mesh/features/bisect_together.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
@@ -184,16 +186,27 @@ std::vector<FaceDistance::FarPlace> FaceDistance::far_from_own_cuts(
   return far;
 }
 
-/// Moves places to cuts of the triangles that are nearer.
-void FaceDistance::move_to_cuts(std::span<const Triangle> triangles,
+/// Moves places to cuts of the triangles of leaves that are nearer.
+void FaceDistance::move_to_cuts(std::size_t leaves, const TrianglesOf& triangles_of,
                                 std::span<FarPlace> places) const {
-  for (const Triangle& t : triangles) {
-    for_cuts(t, [&](const Face& face, const CutSides& cut) {
-      for (FarPlace& place : places) {
-        if (place.crossing->face == face) place.move_to_cut(cut.ends);
+  if (places.empty()) return;
+  const std::vector<FarPlace> before(places.begin(), places.end());
+  std::mutex mutex;
+  parallel_chunks(leaves, kInBatch, threads_, [&](std::size_t begin, std::size_t end) {
+    std::vector<FarPlace> moved = before;
+    for (std::size_t k = begin; k < end; ++k) {
+      for (const Triangle& t : triangles_of(k)) {
+        for_cuts(t, [&](const Face& face, const CutSides& cut) {
+          for (FarPlace& place : moved) {
+            if (place.crossing->face == face) place.move_to_cut(cut.ends);
+          }
+        });
       }
-    });
-  }
+    }
+    const std::scoped_lock lock(mutex);
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      places[i].distance = std::min(places[i].distance, moved[i].distance);
+  });
 }
 
 /// Moves places to parts of the surface's lines that are nearer, at a range of cuts.
@@ -236,11 +249,15 @@ void FaceDistance::measure(ValidatedMesh& mesh, std::span<const std::size_t> whi
   };
   const auto rest = std::stable_partition(far.begin(), far.end(), is_far_from_cut);
   const std::span<FarPlace> from_cuts(far.begin(), rest);
-  move_to_cuts(triangles.all, from_cuts);
-  for (std::size_t k = 0; k < mesh.triangles.ranges.size() && !from_cuts.empty(); ++k) {
-    if (!is_newer[k]) move_to_cuts(mesh.triangles.of(k), from_cuts);
-  }
-  move_to_lines(0, cuts_.size(), across, far);
+  move_to_cuts(
+      which.size(), [&](std::size_t i) { return triangles.of(i); }, from_cuts);
+  const auto of_older = [&](std::size_t k) {
+    return is_newer[k] ? std::span<const Triangle>() : mesh.triangles.of(k);
+  };
+  move_to_cuts(mesh.triangles.ranges.size(), of_older, from_cuts);
+  parallel_chunks(far.size(), kSearchedTogether, threads_, [&](std::size_t begin, std::size_t end) {
+    move_to_lines(0, cuts_.size(), across, std::span(far).subspan(begin, end - begin));
+  });
   for (const FarPlace& place : far) mesh.add(place.leaf, place.error(), place.crossing->uv);
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -84,7 +86,9 @@ class FaceDistance {
   std::vector<Crossing> middles() const;
   std::vector<FarPlace> far_from_own_cuts(const ValidatedMesh& mesh,
                                           const std::vector<Crossing>& across) const;
-  void move_to_cuts(std::span<const Triangle> triangles, std::span<FarPlace> places) const;
+  using TrianglesOf = std::function<std::span<const Triangle>(std::size_t)>;
+  void move_to_cuts(std::size_t leaves, const TrianglesOf& triangles_of,
+                    std::span<FarPlace> places) const;
   void move_to_lines(std::size_t first, std::size_t last, const std::vector<Crossing>& across,
                      std::span<FarPlace> places) const;
 
