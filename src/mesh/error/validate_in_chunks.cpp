@@ -29,12 +29,15 @@ ValidationCost validate_in_chunks(const Surface& surface, const Grid& grid, cons
   const std::span<const std::size_t> which = leaves.which;
   const LeafTriangles& triangles = leaves.triangles;
   mesh.sampled_errors.resize(mesh.leaves.size());
-  for (std::size_t k = 0; k < which.size(); ++k) {
-    Leaf& leaf = mesh.leaves[which[k]];
-    leaf.polygon_size = static_cast<std::uint16_t>(
-        std::min<std::size_t>(triangles.ranges[k].is_plain ? 4 : count_polygon_vertices(leaf, tree),
-                              std::numeric_limits<std::uint16_t>::max()));
-  }
+  parallel_chunks(which.size(), kInBatch, limits.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      Leaf& leaf = mesh.leaves[which[k]];
+      const std::size_t count =
+          triangles.ranges[k].is_plain ? 4 : count_polygon_vertices(leaf, tree);
+      leaf.polygon_size = static_cast<std::uint16_t>(
+          std::min<std::size_t>(count, std::numeric_limits<std::uint16_t>::max()));
+    }
+  });
   std::atomic<std::size_t> evaluations = 0;
   std::atomic<std::size_t> looks = 0;
   const std::size_t chunk = chunk_of(which.size());

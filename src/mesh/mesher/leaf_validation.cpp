@@ -82,7 +82,8 @@ void LeafValidation::validate(std::span<const std::size_t> which, const Singular
 void LeafValidation::validate(std::span<const std::size_t> which, const SingularCorners& singular,
                               std::uint32_t now, std::uint32_t made) {
   for (const std::size_t k : which) mesh_.leaves[k].validated_at = now;
-  LeafTriangles triangles = triangulate_leaves(mesh_.leaves, which, singular, grid_, tree_);
+  LeafTriangles triangles =
+      triangulate_leaves(mesh_.leaves, which, singular, grid_, tree_, limits_.threads);
   const ValidationCost cost =
       validate_in_chunks(surface_, grid_, tree_, limits_, {which, triangles}, mesh_);
   evaluations_ += cost.evaluations;
@@ -128,7 +129,7 @@ void LeafValidation::triangulate(MeshReport& report) {
   for (std::size_t k = 0; k < leaves.size(); ++k) {
     if (!has_lasting_triangles(k)) stale.push_back(k);
   }
-  mesh_.put(stale, triangulate_leaves(leaves, stale, singular, grid_, tree_),
+  mesh_.put(stale, triangulate_leaves(leaves, stale, singular, grid_, tree_, limits_.threads),
             tree_.revisions().next());
   mesh_.tidy_triangles();
 }

@@ -510,7 +510,7 @@ class Subdivider {
   /// The triangles that a leaf has in the mesh.
   LeafTriangles triangles_of(const Leaf& leaf) const {
     return triangulate_leaves(std::span(&leaf, 1), std::array{std::size_t{0}}, SingularCorners(),
-                              grid_, tree_);
+                              grid_, tree_, 1);
   }
 
   bool misses(const Array<Triangle>& triangles, const Counterexample& place) const {

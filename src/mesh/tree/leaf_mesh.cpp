@@ -8,9 +8,11 @@
 #include <utility>
 
 #include "base/numbers.h"
+#include "base/parallel.h"
 #include "mesh/grid/cell_loops.h"
 #include "mesh/grid/triangulate.h"
 #include "mesh/grid/vertex_columns.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/feature_count.h"
 #include "mesh/tree/polygon.h"
@@ -150,26 +152,8 @@ std::size_t add_polygons(const Leaf& leaf, std::size_t number, const CornerChoic
   return expected;
 }
 
-}  // namespace
-
-std::size_t LeafTriangles::expected() const {
-  std::size_t sum = 0;
-  for (const Range& range : ranges) sum += range.expected;
-  return sum;
-}
-
-void LeafTriangles::remove(std::size_t leaf, const Triangle& triangle) {
-  Range& range = ranges[leaf];
-  const auto own = std::span(all).subspan(range.first, range.count);
-  const auto removed = std::ranges::find(own, triangle);
-  std::rotate(removed, removed + 1, own.end());
-  --range.count;
-  range.is_plain = false;
-}
-
-LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const std::size_t> which,
-                                 const SingularCorners& singular, const Grid& grid,
-                                 const CellTree& tree) {
+LeafTriangles triangulate(std::span<const Leaf> leaves, std::span<const std::size_t> which,
+                          const SingularCorners& singular, const Grid& grid, const CellTree& tree) {
   LeafTriangles result;
   result.all.reserve(2 * which.size());
   result.ranges.reserve(which.size());
@@ -198,6 +182,48 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
     range.expected = static_cast<std::uint32_t>(expected);
     range.is_plain = range.is_plain && range.count == 2;
   }
+  return result;
+}
+
+}  // namespace
+
+std::size_t LeafTriangles::expected() const {
+  std::size_t sum = 0;
+  for (const Range& range : ranges) sum += range.expected;
+  return sum;
+}
+
+void LeafTriangles::append(const LeafTriangles& others) {
+  const auto first = static_cast<std::uint32_t>(all.size());
+  all.insert(all.end(), others.all.begin(), others.all.end());
+  for (Range range : others.ranges) {
+    range.first += first;
+    ranges.push_back(range);
+  }
+}
+
+void LeafTriangles::remove(std::size_t leaf, const Triangle& triangle) {
+  Range& range = ranges[leaf];
+  const auto own = std::span(all).subspan(range.first, range.count);
+  const auto removed = std::ranges::find(own, triangle);
+  std::rotate(removed, removed + 1, own.end());
+  --range.count;
+  range.is_plain = false;
+}
+
+LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const std::size_t> which,
+                                 const SingularCorners& singular, const Grid& grid,
+                                 const CellTree& tree, unsigned threads) {
+  if (which.size() <= kInBatch) return triangulate(leaves, which, singular, grid, tree);
+  std::vector<LeafTriangles> parts((which.size() - 1) / kInBatch + 1);
+  parallel_chunks(which.size(), kInBatch, threads, [&](std::size_t begin, std::size_t end) {
+    parts[begin / kInBatch] =
+        triangulate(leaves, which.subspan(begin, end - begin), singular, grid, tree);
+  });
+  LeafTriangles result;
+  result.all.reserve(2 * which.size());
+  result.ranges.reserve(which.size());
+  for (LeafTriangles& part : parts) result.append(std::exchange(part, {}));
   return result;
 }
 

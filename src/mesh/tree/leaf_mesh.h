@@ -35,6 +35,8 @@ struct LeafTriangles {
     return std::span(all).subspan(ranges[k].first, ranges[k].count);
   }
   std::size_t expected() const;
+  /// Appends the triangles of other leaves.
+  void append(const LeafTriangles& others);
   /// Takes a triangle from those of its leaf, which is not complete any more. It stays in `all`.
   void remove(std::size_t leaf, const Triangle& triangle);
 };
@@ -55,9 +57,10 @@ class PartOfTriangles {
   std::span<const LeafTriangles::Range> ranges_;
 };
 
-/// Triangulates the cell polygons of the leaves `which`, in that order.
+/// Triangulates the cell polygons of the leaves `which`, in that order, on so many threads (0:
+/// all).
 LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const std::size_t> which,
                                  const SingularCorners& singular, const Grid& grid,
-                                 const CellTree& tree);
+                                 const CellTree& tree, unsigned threads);
 
 }  // namespace saddle

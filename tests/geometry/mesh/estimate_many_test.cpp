@@ -185,7 +185,7 @@ TEST(ManyLeaves, AreMeasuredAsOneByOne) {
     std::vector<std::size_t> all(subject.leaves.size());
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
     const LeafTriangles triangles =
-        triangulate_leaves(subject.leaves, all, SingularCorners(), subject.grid, subject.tree);
+        triangulate_leaves(subject.leaves, all, SingularCorners(), subject.grid, subject.tree, 1);
     // Beside the diagonals: on the same triangle as the point below them.
     const PlacesInLeaf places = {dvec2(0.15, 0.35), dvec2(0.85, 0.35), dvec2(0.35, 0.85),
                                  dvec2(0.65, 0.15)};
@@ -229,7 +229,7 @@ TEST(ManyLeaves, PlacesOnTheirTrianglesAreMeasuredAsOneByOne) {
   Subject subject(surface, limits_for(1, 180), 4);
   const std::vector<std::size_t> which = {5, 700};
   const LeafTriangles triangles =
-      triangulate_leaves(subject.leaves, which, SingularCorners(), subject.grid, subject.tree);
+      triangulate_leaves(subject.leaves, which, SingularCorners(), subject.grid, subject.tree, 1);
   for (std::size_t k = 0; k < which.size(); ++k) {
     // On the first triangle, a b c, across its side from c to a from the second.
     const Triangle& t = triangles.of(k)[0];
