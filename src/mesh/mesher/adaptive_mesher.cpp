@@ -333,7 +333,7 @@ void AdaptiveMesher::place_inner_vertices(std::size_t first) {
   }
   for (std::span<const std::size_t> rest = which; !rest.empty();) {
     if (is_refined() && tree_.budget().is_full(limits_.triangles)) return;
-    const auto some = rest.first(std::min(rest.size(), kSearchedTogether));
+    const auto some = rest.first(std::min(rest.size(), kInBatch));
     validation_.validate_again(solve_inner_vertices(some, limits_, mesh_, tree_));
     rest = rest.subspan(some.size());
   }
