@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -17,6 +18,9 @@
 
 namespace saddle {
 namespace {
+
+/// About as long as it takes to wake a thread that sleeps.
+constexpr std::chrono::microseconds kAwake(50);
 
 /// The stop token of the Abandonable that lives on this thread; empty without one.
 thread_local std::stop_token wanted_no_longer;
@@ -80,12 +84,13 @@ class Helpers {
       const std::lock_guard lock(mutex_);
       start(others);
       requests_.push_back(&request);
+      ++news_;
     }
     for (std::size_t k = 0; k < others; ++k) asked_.notify_one();
     run_chunks(loop);
     std::unique_lock lock(mutex_);
     std::erase(requests_, &request);
-    left_.wait(lock, [&] { return request.working == 0; });
+    wait(lock, left_, [&] { return request.working == 0; });
   }
 
  private:
@@ -96,6 +101,20 @@ class Helpers {
   };
 
   Helpers() = default;
+
+  /// Waits until `has_come()`: for a moment awake, as loops follow each other closely.
+  template <class Condition>
+  void wait(std::unique_lock<std::mutex>& lock, std::condition_variable& told, Condition has_come) {
+    const auto asleep_from = std::chrono::steady_clock::now() + kAwake;
+    while (!has_come() && std::chrono::steady_clock::now() < asleep_from) {
+      const std::size_t before = news_;
+      lock.unlock();
+      while (news_ == before && std::chrono::steady_clock::now() < asleep_from)
+        std::this_thread::yield();
+      lock.lock();
+    }
+    told.wait(lock, has_come);
+  }
 
   /// Starts threads until there are `count`.
   void start(std::size_t count) {
@@ -109,7 +128,7 @@ class Helpers {
   void work() {
     std::unique_lock lock(mutex_);
     while (true) {
-      asked_.wait(lock, [this] { return are_done_ || !requests_.empty(); });
+      wait(lock, asked_, [this] { return are_done_ || !requests_.empty(); });
       if (are_done_) return;
       Request& request = *requests_.front();
       if (--request.wanted == 0) requests_.erase(requests_.begin());
@@ -117,7 +136,10 @@ class Helpers {
       lock.unlock();
       run_chunks(request.loop);
       lock.lock();
-      if (--request.working == 0) left_.notify_all();
+      if (--request.working == 0) {
+        ++news_;
+        left_.notify_all();
+      }
     }
   }
 
@@ -125,6 +147,7 @@ class Helpers {
   std::condition_variable asked_, left_;
   std::vector<Request*> requests_;  ///< the oldest first
   bool are_done_ = false;
+  std::atomic<std::size_t> news_{0};   ///< requests that have come or are done
   std::vector<std::jthread> threads_;  // the last member: they use the others
 };
 
