@@ -38,9 +38,9 @@ constexpr int kFeaturePeriod = 4;
 /// only validation finds, as of waves that fit into a cell.
 constexpr double kFirst = 0.875;
 
-/// In tolerances: leaves with a jump, or with a strip or gap that is thinner than they are, are
-/// halved if they are farther off. Their edges are measured on a few lines across them: where two
-/// jumps cross in between, that misses up to a quarter of the distance.
+/// In tolerances: leaves with a jump, with several features, or with a strip or gap that is thinner
+/// than they are, are halved if they are farther off. They are measured at a few places: where
+/// lines cross in between, that misses up to a quarter of the distance.
 constexpr double kAimOnLines = 0.8;
 
 /// Which of the grid's lines are drawn, so that their chords are visible.
@@ -508,8 +508,10 @@ std::optional<AdaptiveMesher::Failure> AdaptiveMesher::failure_of(std::size_t nu
   const Leaf& leaf = mesh_.leaves[number];
   const bool is_cut = leaf.state.is_cut_by_feature();
   const bool is_on_lines =
-      has_thin_vertex(leaf, tree_) || (is_cut && (has_cut(FeatureKind::Jump, leaf, tree_) ||
-                                                  has_cut(FeatureKind::Cliff, leaf, tree_)));
+      has_thin_vertex(leaf, tree_) ||
+      (!leaf.state.is_whole() &&
+       (has_cut(FeatureKind::Jump, leaf, tree_) || has_cut(FeatureKind::Cliff, leaf, tree_) ||
+        count_features(leaf, tree_).features > 2));
   if (mesh_.is_near(number) && !is_cut && !is_on_lines && !validation_.is_turned(number))
     return std::nullopt;
   const Failure failure = {mesh_.error_ratio(number) / (is_on_lines ? kAimOnLines : 1),
