@@ -114,21 +114,20 @@ Interval quotient_by_positive(const Interval& a, const Interval& b) {
   return r;
 }
 
-/// a / b where b holds 0: a pole, or 0/0.
+/// a / b where b holds 0: a pole, or 0/0. An infinity is no value, but min(u/0, 1) may be one.
 Interval quotient_with_pole(const Interval& a, const Interval& b) {
-  if (is_zero(b)) return kUndefined;
-  Interval r = {-kInfinity, kInfinity};
+  if (is_zero(a) && is_zero(b)) return kUndefined;
+  Interval r = {-kInfinity, kInfinity, Defined::Maybe, false};
+  if (is_zero(b)) return r;
   const Interval positive = {0, std::max(b.high, -b.low)};
   if (is_zero(a)) {
-    r = {0, 0};
+    r.low = r.high = 0;
   } else if (b.low == 0 || b.high == 0) {
     const Interval numerator = b.low == 0 ? a : -a;
     // 0 / 0 of an end is the limit of 0 / b, which is 0.
     if (numerator.low >= 0) r.low = quotient_by_positive({numerator.low, kMax}, positive).low;
     if (numerator.high <= 0) r.high = quotient_by_positive({-kMax, numerator.high}, positive).high;
   }
-  r.defined = Defined::Maybe;
-  r.continuous = false;
   return r;
 }
 
@@ -246,7 +245,7 @@ Interval trunc(const Interval& a) {
 
 Interval mod(const Interval& a, const Interval& b) {
   const Interval steps = floor(a / b);
-  if (steps.defined == Defined::No) return kUndefined;
+  if (is_zero(b) || steps.defined == Defined::No) return kUndefined;
   const Interval multiple = b * steps;
   Interval r = a - multiple;
   if (std::isinf(multiple.low) || std::isinf(multiple.high)) return r;  // what overflows stays lost

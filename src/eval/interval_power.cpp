@@ -86,8 +86,9 @@ bool has_whole_number(const Interval& b) {
 Interval general_power(const Interval& a, const Interval& b) {
   const bool only_zero = a.high == 0;
   if (a.high < 0 || (only_zero && b.high < 0)) {
-    // Negative numbers have no powers but whole ones, 0 no negative ones.
-    if (!has_whole_number(b) || (only_zero && a.low == 0)) return kUndefined;
+    // Negative numbers have no powers but whole ones, and those of 0 are infinite.
+    if (only_zero && a.low == 0) return {0, kInfinity, Defined::Maybe, false};
+    if (!has_whole_number(b)) return kUndefined;
   }
   Interval r = kUndefined;
   if (a.high >= 0) r = corner_power({std::max(a.low, 0.0), a.high, a.defined, a.continuous}, b);
