@@ -10,6 +10,7 @@
 
 #include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/sizing/effort.h"
 #include "surface/parameter_box.h"
 
 namespace saddle {
@@ -115,14 +116,20 @@ double work_of(const Surface& surface) {
   return count ? static_cast<double>(count->with_work()) : 0;
 }
 
+/// The work that a surface may have taken once a mesh that is off is searched. Where sheets lie
+/// close together, all parts would take ten times the work of the mesh: as many are searched as a
+/// share of that allows, or of what any mesh may take.
+double work_with_search(const Surface& surface, double share) {
+  const double of_mesh = std::max(work_of(surface), share * double{kLeastEffort});
+  return work_of(surface) + kShareOfMesh * of_mesh;
+}
+
 }  // namespace
 
 PlacedError largest_error(const Surface& surface, std::span<SuspectLeaf> suspects,
                           std::span<const SearchedPart> others, KnownHulls& hulls,
                           const WholeMeshSearch& how) {
-  // Where sheets lie close together, all parts would take ten times the work of the mesh. Once it
-  // is known to be off, not all are searched.
-  const double most_work = (1 + kShareOfMesh) * work_of(surface);
+  const double most_work = work_with_search(surface, how.share);
   const auto is_at_limit = [&] { return work_of(surface) > most_work; };
   const WholeMeshError* whole = nullptr;  // made before several threads ask for distances
   const auto distance = [&whole](const SearchedPart& part, const dvec2& uv, const dvec3& position,
