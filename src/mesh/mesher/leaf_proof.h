@@ -50,8 +50,8 @@ class LeafProof {
   }
   /// Whether the work of proofs is done: only some of the worst places are searched.
   bool is_spent() const { return budget_.is_spent(true); }
-  /// The leaves, of those without a proof, in which bounds do not exclude a jump. Of a small mesh
-  /// all leaves are tried to prove, which adds measured distances: they tell more of how far it is
+  /// The leaves, of those without a proof, in which bounds do not exclude a jump. All leaves of a
+  /// small mesh are tried to prove, which adds measured distances: they tell more of how far it is
   /// off, and take more time. The gaps of the last prove() stay for the report.
   std::vector<std::uint32_t> find_may_jump(std::span<const std::uint32_t> leaves,
                                            ValidatedMesh& mesh);
