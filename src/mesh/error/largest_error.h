@@ -30,7 +30,7 @@ struct WholeMeshSearch {
   unsigned threads;
   std::function<SearchedPart(std::size_t leaf)> part;          ///< makes that of a leaf
   std::function<std::vector<dvec2>(std::size_t leaf)> places;  ///< where its error was sampled
-  std::function<const WholeMeshError&()> whole;  ///< called only if there is anything to measure
+  std::function<const WholeMeshError&()> whole;  ///< called once, if there is anything to measure
 };
 
 /// The largest error, scaled. The error of a suspect is replaced only after its places were

@@ -216,8 +216,7 @@ std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
   Measurer measurer(clip, threads, tree, triangles);
   for (const std::size_t k : left_out) {
     const Leaf& leaf = mesh.leaves[k];
-    const ParameterBox box = {tree.vertices().parameters(leaf.low),
-                              tree.vertices().parameters(leaf.high())};
+    const ParameterBox box = tree.box(leaf);
     std::vector<Place> places = places_around(leaf, tree);
     if (!has_cut(FeatureKind::Jump, leaf, tree)) append_middles(box.size(), places);
     measurer.add(k, places);

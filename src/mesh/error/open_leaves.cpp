@@ -52,10 +52,7 @@ SearchedPart part_of(const ValidatedMesh& mesh, std::size_t leaf,
   for (const Triangle& t : triangles) {
     for (const std::uint32_t corner : t) around.add(grid.mesh.position[corner]);
   }
-  const Leaf& of = mesh.leaves[leaf];
-  return {{tree.vertices().parameters(of.low), tree.vertices().parameters(of.high())},
-          triangles,
-          around};
+  return {tree.box(mesh.leaves[leaf]), triangles, around};
 }
 
 OpenLeaves::OpenLeaves(const Surface& surface, const Grid& grid, const CellTree& tree,

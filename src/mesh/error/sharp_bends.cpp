@@ -121,7 +121,7 @@ void SharpBends::add(const ValidatedMesh& mesh, std::size_t number,
   const Leaf& leaf = mesh.leaves[number];
   const std::optional<Targets> targets = targets_of(mesh, number, triangles, centre);
   if (!targets) return;
-  ParameterBox box{tree_.vertices().parameters(leaf.low), tree_.vertices().parameters(leaf.high())};
+  ParameterBox box = tree_.box(leaf);
   if (targets->in_strip) box = box_around(triangles, grid_.mesh);
   leaves_.push_back({number, box.low, box.high, triangles, *targets});
 }

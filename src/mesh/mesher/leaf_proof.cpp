@@ -52,9 +52,7 @@ ProvedCells LeafProof::cells_of(const ValidatedMesh& mesh) const {
   const dvec2 range = box_of(surface_.domain).size();
   ProvedCells cells;
   for (const Leaf& leaf : mesh.leaves) {
-    const ParameterBox box = {tree_.vertices().parameters(leaf.low),
-                              tree_.vertices().parameters(leaf.high())};
-    cells.add(box.size(), range);
+    cells.add(tree_.box(leaf).size(), range);
   }
   return cells;
 }
@@ -120,9 +118,7 @@ std::vector<std::uint32_t> LeafProof::find_may_jump(std::span<const std::uint32_
     const Leaf& leaf = mesh.leaves[k];
     if (is_proved(mesh, k) || cells[root_cell_of(leaf, grid_)] == 0) continue;
     unproved.push_back(k);
-    boxes.push_back(
-        {{tree_.vertices().parameters(leaf.low), tree_.vertices().parameters(leaf.high())},
-         mesh.allowed[k]});
+    boxes.push_back({tree_.box(leaf), mesh.allowed[k]});
   }
   std::vector<std::uint32_t> found;
   for (const std::size_t k : saddle::find_may_jump(surface_, boxes, budget_, threads_))
@@ -170,8 +166,8 @@ bool LeafProof::is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mes
 void LeafProof::leave_unproved(std::span<const Leaf> leaves) {
   if (!proof_) return;
   for (const Leaf& leaf : leaves) {
-    const GapBox gap{GapReason::Flat, tree_.vertices().parameters(leaf.low),
-                     tree_.vertices().parameters(leaf.high())};
+    const auto [low, high] = tree_.box(leaf);
+    const GapBox gap{GapReason::Flat, low, high};
     // The leaf may hold gaps, or lie in one.
     std::erase_if(proof_->proof_gaps, [&gap](const GapBox& other) {
       return gap.contains(0.5 * other.low + 0.5 * other.high);

@@ -46,9 +46,7 @@ PointsInLeaves find_points(const Surface& surface, const CellTree& tree, const V
                            std::span<const std::size_t> searched) {
   std::vector<ParameterBox> boxes;
   for (const std::size_t k : searched) {
-    const Leaf& leaf = mesh.leaves[k];
-    boxes.push_back(
-        {tree.vertices().parameters(leaf.low), tree.vertices().parameters(leaf.high())});
+    boxes.push_back(tree.box(mesh.leaves[k]));
   }
   const auto found = find_point_singularities(surface, boxes, tree.mesh().bounds.diagonal());
   PointsInLeaves points;

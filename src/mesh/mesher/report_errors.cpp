@@ -59,9 +59,10 @@ class ErrorReporter {
       const PlacedError error = error_of(k);
       const bool is_far = error.distance > tolerance_;
       // A leaf that is above what it aims at, but too small to halve, may hold more.
-      const bool is_suspect = is_far || !mesh_.is_near(k) || may_reach_extremes(leaf);
+      const bool has_moved = may_reach_extremes(leaf);
+      const bool is_suspect = is_far || !mesh_.is_near(k) || has_moved;
       if (is_suspect && (is_missing || may_be_near(k, request.clip.has_value()))) {
-        suspects.push_back({k, error.distance, may_reach_extremes(leaf)});
+        suspects.push_back({k, error.distance, has_moved});
       } else if (is_missing || is_clipped) {
         continue;
       } else if (error.distance > worst.distance) {
@@ -171,7 +172,7 @@ class ErrorReporter {
     return worst;
   }
 
-  /// Searches all of a mesh with errors in leaves that are not clipped.
+  /// The largest error of suspects; of all of a mesh that is off in leaves which are not clipped.
   PlacedError search(const Surface& surface, const MeshRequest& request,
                      std::span<SuspectLeaf> suspects, std::span<const PlaceInLeaf> at_edges,
                      const LeafTriangles& triangles) const {
@@ -187,10 +188,8 @@ class ErrorReporter {
     }
     std::optional<WholeMeshError> whole;
     const auto measured = [&]() -> const WholeMeshError& {
-      if (!whole)
-        whole.emplace(surface, grid_, triangles.all, request.clip, request.threads,
-                      tree_.edges().has_cliffs());
-      return *whole;
+      return whole.emplace(surface, grid_, triangles.all, request.clip, request.threads,
+                           tree_.edges().has_cliffs());
     };
     const auto part = [&](std::size_t leaf) { return searched(leaf, triangles); };
     const auto places = [&](std::size_t leaf) {

@@ -16,6 +16,7 @@
 #include "mesh/tree/thin_vertices.h"
 #include "mesh/tree/triangle_budget.h"
 #include "mesh/tree/vertex_geometry.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 
@@ -61,6 +62,10 @@ class CellTree {
   RevisionClock& revisions() { return revisions_; }
   const RevisionClock& revisions() const { return revisions_; }
 
+  /// The box of a leaf's parameters.
+  ParameterBox box(const Leaf& leaf) const {
+    return {vertices_.parameters(leaf.low), vertices_.parameters(leaf.high())};
+  }
   /// Whether the centre of a leaf is defined. It was where the sample is forgotten.
   bool is_centre_defined(const Leaf& leaf) const {
     return leaf.samples.centre == SampleVertices::kUnasked ||

@@ -53,8 +53,7 @@ std::size_t root_cell_of(const Leaf& leaf, const Grid& grid) {
 }
 
 Patch patch_of(const Leaf& leaf, double allowed, const Grid& grid, const CellTree& tree) {
-  Patch patch = {
-      {tree.vertices().parameters(leaf.low), tree.vertices().parameters(leaf.high())}, allowed, {}};
+  Patch patch = {tree.box(leaf), allowed, {}};
   // Its waves are too short for any mesh.
   if (leaf.state.oscillates()) patch.cut_by = GapReason::Wide;
   if (leaf.state.is_whole()) return patch;
