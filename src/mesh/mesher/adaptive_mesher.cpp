@@ -507,11 +507,10 @@ bool AdaptiveMesher::was_tested(const Leaf& leaf) const {
 std::optional<AdaptiveMesher::Failure> AdaptiveMesher::failure_of(std::size_t number) {
   const Leaf& leaf = mesh_.leaves[number];
   const bool is_cut = leaf.state.is_cut_by_feature();
-  const bool is_on_lines =
-      has_thin_vertex(leaf, tree_) ||
-      (!leaf.state.is_whole() &&
-       (has_cut(FeatureKind::Jump, leaf, tree_) || has_cut(FeatureKind::Cliff, leaf, tree_) ||
-        count_features(leaf, tree_).features > 2));
+  const bool is_on_lines = has_thin_vertex(leaf, tree_) ||
+                           (!leaf.state.is_whole() && (has_cut(FeatureKind::Jump, leaf, tree_) ||
+                                                       has_cut(FeatureKind::Cliff, leaf, tree_) ||
+                                                       count_features(leaf, tree_).features > 2));
   if (mesh_.is_near(number) && !is_cut && !is_on_lines && !validation_.is_turned(number))
     return std::nullopt;
   const Failure failure = {mesh_.error_ratio(number) / (is_on_lines ? kAimOnLines : 1),
