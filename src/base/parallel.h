@@ -9,6 +9,7 @@
 #include <stop_token>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace saddle {
 
@@ -19,6 +20,24 @@ namespace saddle {
 /// Throws Overtime when --max-time is long over.
 void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads,
                      const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+/// Calls append(k, found) for each k of [0, count), on up to `threads` threads, with a list for
+/// each chunk. Returns what was found, in the order of k.
+template <typename T, typename Append>
+std::vector<T> gather_in_chunks(std::size_t count, std::size_t chunk, unsigned threads,
+                                Append append) {
+  std::vector<std::vector<T>> parts((count + chunk - 1) / chunk);
+  parallel_chunks(count, chunk, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) append(k, parts[begin / chunk]);
+  });
+  if (parts.size() == 1) return std::move(parts.front());
+  std::size_t size = 0;
+  for (const std::vector<T>& part : parts) size += part.size();
+  std::vector<T> found;
+  found.reserve(size);
+  for (const std::vector<T>& part : parts) found.insert(found.end(), part.begin(), part.end());
+  return found;
+}
 
 /// The result of `work`, computed on a thread of its own; if the system starts none, on the thread
 /// that gets it.

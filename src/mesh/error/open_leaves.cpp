@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "base/parallel.h"
 #include "mesh/distance/sampled_error.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_tree.h"
@@ -67,12 +68,12 @@ OpenLeaves::OpenLeaves(const Surface& surface, const Grid& grid, const CellTree&
 
 std::vector<Counterexample> OpenLeaves::refute(const std::function<bool(std::size_t leaf)>& is_open,
                                                ValidatedMesh& mesh) {
-  std::vector<std::uint32_t> open;
-  for (std::uint32_t k = 0; k < mesh.leaves.size(); ++k) {
-    if (mesh.triangles.of(k).empty() || mesh.marks[k].is_searched || !is_open(k)) continue;
-    mesh.marks[k].is_searched = true;
-    open.push_back(k);
-  }
+  const std::vector<std::size_t> open = gather_in_chunks<std::size_t>(
+      mesh.leaves.size(), kInBatch, threads_, [&](std::size_t k, std::vector<std::size_t>& some) {
+        if (!mesh.triangles.of(k).empty() && !mesh.marks[k].is_searched && is_open(k))
+          some.push_back(k);
+      });
+  for (const std::size_t k : open) mesh.marks[k].is_searched = true;
   if (open.empty()) return {};
   const auto part_of_open = [&](std::size_t number) {
     const std::size_t k = open[number];

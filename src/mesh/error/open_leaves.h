@@ -27,7 +27,8 @@ class OpenLeaves {
 
   /// Looks for features in the leaves of a mesh for which `is_open`, once in each, and adds their
   /// distances to the sampled errors. Returns them as counterexamples, whose cells are indices of
-  /// leaves; none from the time on that they ask for too many leaves.
+  /// leaves; none from the time on that they ask for too many leaves. Several threads call
+  /// is_open() at the same time.
   std::vector<Counterexample> refute(const std::function<bool(std::size_t leaf)>& is_open,
                                      ValidatedMesh& mesh);
 

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/parallel.h"
 #include "mesh/features/approach.h"
 #include "mesh/features/cliffs.h"
 #include "mesh/features/creases.h"
@@ -375,9 +376,11 @@ void append_unsearched(const Leaf& leaf, const CellTree& tree, std::vector<Side>
   });
 }
 
-std::vector<Side> unsearched_sides(std::span<const Leaf> leaves, const CellTree& tree) {
-  std::vector<Side> sides;
-  for (const Leaf& leaf : leaves) append_unsearched(leaf, tree, sides);
+std::vector<Side> unsearched_sides(std::span<const Leaf> leaves, unsigned threads,
+                                   const CellTree& tree) {
+  std::vector<Side> sides = gather_in_chunks<Side>(
+      leaves.size(), kInBatch, threads,
+      [&](std::size_t k, std::vector<Side>& some) { append_unsearched(leaves[k], tree, some); });
   sort_sides(sides);
   return sides;
 }

@@ -24,7 +24,8 @@ void find_jumps(std::span<const Side> sides, const TraceOptions& options, CellTr
 /// Appends the unsearched sides of a leaf.
 void append_unsearched(const Leaf& leaf, const CellTree& tree, std::vector<Side>& sides);
 /// The unsearched sides of leaves, sorted and without duplicates.
-std::vector<Side> unsearched_sides(std::span<const Leaf> leaves, const CellTree& tree);
+std::vector<Side> unsearched_sides(std::span<const Leaf> leaves, unsigned threads,
+                                   const CellTree& tree);
 /// Sorts sides and removes duplicates.
 void sort_sides(std::vector<Side>& sides);
 

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
+#include "base/parallel.h"
 #include "mesh/mesher/edge_features.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
 #include "mesh/tree/feature_count.h"
@@ -33,21 +36,35 @@ bool set_state(Leaf& leaf, const CellTree& tree) {
   return is_new;
 }
 
+/// The findings at leaves that one thread looks at.
+struct Followed {
+  std::vector<std::size_t> split;  ///< leaves whose state changed
+  std::vector<Side> unsearched;    ///< sides of leaves that are not whole
+};
+
 }  // namespace
 
 std::vector<std::size_t> follow_features(const TraceOptions& options, std::span<Leaf> leaves,
                                          CellTree& tree) {
   std::vector<std::size_t> split;
   while (true) {
-    std::vector<Side> sides;
+    std::vector<Followed> parts((leaves.size() + kInBatch - 1) / kInBatch);
     const std::uint32_t now = tree.revisions().next();
-    for (std::size_t k = 0; k < leaves.size(); ++k) {
-      Leaf& leaf = leaves[k];
-      if (!tree.revisions().has_changed(leaf, leaf.followed_at)) continue;
-      leaf.followed_at = now;
-      if (set_state(leaf, tree)) split.push_back(k);
-      if (leaf.state.is_whole()) continue;
-      append_unsearched(leaf, tree, sides);
+    parallel_chunks(leaves.size(), kInBatch, options.threads,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t k = begin; k < end; ++k) {
+                        Leaf& leaf = leaves[k];
+                        if (!tree.revisions().has_changed(leaf, leaf.followed_at)) continue;
+                        leaf.followed_at = now;
+                        if (set_state(leaf, tree)) parts[begin / kInBatch].split.push_back(k);
+                        if (!leaf.state.is_whole())
+                          append_unsearched(leaf, tree, parts[begin / kInBatch].unsearched);
+                      }
+                    });
+    std::vector<Side> sides;
+    for (const Followed& part : parts) {
+      split.insert(split.end(), part.split.begin(), part.split.end());
+      sides.insert(sides.end(), part.unsearched.begin(), part.unsearched.end());
     }
     if (sides.empty() || tree.budget().is_spent(options.triangles)) return split;
     sort_sides(sides);

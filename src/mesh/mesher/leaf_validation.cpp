@@ -1,12 +1,15 @@
 #include "mesh/mesher/leaf_validation.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
+#include "base/parallel.h"
 #include "mesh/error/error_indicator.h"
 #include "mesh/error/validate_in_chunks.h"
 #include "mesh/grid/degenerate.h"
 #include "mesh/grid/grid.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
 
@@ -37,6 +40,9 @@ void LeafValidation::validate_new(std::vector<std::size_t> changed) {
   const auto& leaves = mesh_.leaves;
   const std::size_t validated = mesh_.sampled_errors.size();
   std::erase_if(changed, [validated](std::size_t k) { return k >= validated; });
+  // Threads take different leaves: none may be there twice.
+  std::ranges::sort(changed);
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   mesh_.reserve();
   for (std::size_t k = mesh_.allowed.size(); k < leaves.size(); ++k) {
     mesh_.allowed.push_back(tolerance_of(leaves[k], limits_.tolerance, tree_));
@@ -53,18 +59,21 @@ void LeafValidation::validate_new(std::vector<std::size_t> changed) {
 }
 
 bool LeafValidation::revalidate() {
-  std::vector<std::size_t> changed;
-  std::vector<double> degrees;
   const std::uint32_t now = tree_.revisions().next();
-  for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-    Leaf& leaf = mesh_.leaves[k];
-    if (!tree_.revisions().has_changed(leaf, leaf.validated_at)) continue;
-    leaf.validated_at = now;
-    if (count_polygon_vertices(leaf, tree_) == leaf.polygon_size) continue;
-    changed.push_back(k);
-    degrees.push_back(mesh_.sampled_errors[k].degrees);
-  }
+  const std::vector<std::size_t> changed =
+      gather_in_chunks<std::size_t>(mesh_.leaves.size(), kInBatch, limits_.threads,
+                                    [&](std::size_t k, std::vector<std::size_t>& some) {
+                                      Leaf& leaf = mesh_.leaves[k];
+                                      if (!tree_.revisions().has_changed(leaf, leaf.validated_at))
+                                        return;
+                                      leaf.validated_at = now;
+                                      if (count_polygon_vertices(leaf, tree_) != leaf.polygon_size)
+                                        some.push_back(k);
+                                    });
   if (changed.empty()) return false;
+  std::vector<double> degrees(changed.size());
+  std::ranges::transform(changed, degrees.begin(),
+                         [this](std::size_t k) { return mesh_.sampled_errors[k].degrees; });
   validate(changed, SingularCorners());
   for (std::size_t i = 0; i < changed.size(); ++i) {
     mesh_.sampled_errors[changed[i]].degrees = degrees[i];
@@ -91,11 +100,14 @@ void LeafValidation::validate(std::span<const std::size_t> which, const Singular
   tree_.effort().looks() += cost.looks;
   mesh_.put(which, std::move(triangles), made);
   landmarks_.measure(which, mesh_);
-  for (const std::size_t k : which) {
-    const bool is_thin =
-        is_turned(k) && thickness_of(mesh_.leaves[k], grid_, tree_) <= kSeenTurn * mesh_.allowed[k];
-    if (is_thin) mesh_.sampled_errors[k].degrees = 0;
-  }
+  const auto is_thin = [this](std::size_t k) {
+    return thickness_of(mesh_.leaves[k], grid_, tree_) <= kSeenTurn * mesh_.allowed[k];
+  };
+  parallel_chunks(which.size(), kInBatch, limits_.threads, [&](std::size_t begin, std::size_t end) {
+    for (const std::size_t k : which.subspan(begin, end - begin)) {
+      if (is_turned(k) && is_thin(k)) mesh_.sampled_errors[k].degrees = 0;
+    }
+  });
 }
 
 bool LeafValidation::validate_singular() {
@@ -125,10 +137,10 @@ void LeafValidation::triangulate(MeshReport& report) {
            !tree_.revisions().has_changed(leaves[k], validated_at);
   });
   validate(changed, singular);
-  std::vector<std::size_t> stale;
-  for (std::size_t k = 0; k < leaves.size(); ++k) {
-    if (!has_lasting_triangles(k)) stale.push_back(k);
-  }
+  const std::vector<std::size_t> stale = gather_in_chunks<std::size_t>(
+      leaves.size(), kInBatch, limits_.threads, [&](std::size_t k, std::vector<std::size_t>& some) {
+        if (!has_lasting_triangles(k)) some.push_back(k);
+      });
   mesh_.put(stale, triangulate_leaves(leaves, stale, singular, grid_, tree_, limits_.threads),
             tree_.revisions().next());
   mesh_.tidy_triangles();

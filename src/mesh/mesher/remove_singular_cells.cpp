@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 
+#include "base/parallel.h"
 #include "mesh/features/approach.h"
 #include "mesh/mesher/edge_features.h"
 #include "mesh/mesher/follow_features.h"
@@ -204,30 +205,40 @@ struct Sides {
   std::vector<Side> cut;            ///< by an edge feature other than a pole
 };
 
+void append_classified(const Leaf& leaf, bool is_unproved, const CellTree& tree, Sides& sides) {
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    const Side side = side_of(a, b);
+    if (const auto feature = tree.edges().feature(a, b)) {
+      if (!leaves_out(feature->kind)) sides.cut.push_back(side);
+    } else if (tree.edges().leads_to_pole(a, b)) {
+      sides.lead_to_poles.push_back(side);
+    } else if (is_unproved && !tree.edges().is_searched(a, b)) {
+      sides.unsearched.push_back(side);
+    }
+  });
+}
+
 /// Without a clip box, the tolerance is a share of the height of the surface, which has no end at a
 /// pole. Walls may be within tolerance then, so all leaves of a surface with poles count.
 Sides classify_sides(const CellLimits& limits, const CellTree& tree, const ValidatedMesh& mesh) {
-  Sides result;
   const bool has_poles = tree.has_poles();
-  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
-    const Leaf& leaf = mesh.leaves[k];
-    const bool is_unproved = exceeds_tolerance(mesh, k) || (has_poles && !limits.clip);
-    if (!is_unproved && !has_poles) continue;
-    if (leaf.state.is_left_out() || is_clipped(leaf, limits.clip, tree)) continue;
-    for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-      const Side side = side_of(a, b);
-      if (const auto feature = tree.edges().feature(a, b)) {
-        if (!leaves_out(feature->kind)) result.cut.push_back(side);
-      } else if (tree.edges().leads_to_pole(a, b)) {
-        result.lead_to_poles.push_back(side);
-      } else if (is_unproved && !tree.edges().is_searched(a, b)) {
-        result.unsearched.push_back(side);
-      }
-    });
-  }
-  for (std::vector<Side>* const sides : {&result.lead_to_poles, &result.unsearched, &result.cut}) {
-    std::ranges::sort(*sides);
-    sides->erase(std::unique(sides->begin(), sides->end()), sides->end());
+  std::vector<Sides> parts((mesh.leaves.size() + kInBatch - 1) / kInBatch);
+  parallel_chunks(
+      mesh.leaves.size(), kInBatch, limits.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const Leaf& leaf = mesh.leaves[k];
+          const bool is_unproved = exceeds_tolerance(mesh, k) || (has_poles && !limits.clip);
+          if (!is_unproved && !has_poles) continue;
+          if (leaf.state.is_left_out() || is_clipped(leaf, limits.clip, tree)) continue;
+          append_classified(leaf, is_unproved, tree, parts[begin / kInBatch]);
+        }
+      });
+  Sides result;
+  for (const auto kind : {&Sides::lead_to_poles, &Sides::unsearched, &Sides::cut}) {
+    std::vector<Side>& sides = result.*kind;
+    for (const Sides& part : parts)
+      sides.insert(sides.end(), (part.*kind).begin(), (part.*kind).end());
+    sort_sides(sides);
   }
   return result;
 }

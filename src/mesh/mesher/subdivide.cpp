@@ -7,6 +7,7 @@
 
 #include "base/activity.h"
 #include "base/numbers.h"
+#include "base/parallel.h"
 #include "mesh/distance/sampled_error.h"
 #include "mesh/error/error_indicator.h"
 #include "mesh/error/estimate_many.h"
@@ -132,9 +133,10 @@ class Subdivider {
     for (Leaf& leaf : leaves) request_samples(leaf, tree_);
     const std::vector<std::uint32_t> samples = tree_.geometry().evaluate(limits_.threads);
     const std::size_t kept = result_.leaves.size();
-    const FastCellErrors fast_errors = estimate_many(leaves, limits_, indicator_, tree_);
+    FastCellErrors fast_errors = estimate_many(leaves, limits_, indicator_, tree_);
     place_thin_vertices(leaves_with_thin_parts(part, fast_errors), limits_.tolerance,
                         limits_.threads, tree_);
+    estimate_others(leaves, limits_, indicator_, tree_, fast_errors);
     const auto passing =
         static_cast<std::size_t>(std::ranges::count_if(fast_errors.leaves, &FastCellError::passes));
     // Leaves that grow by doubling would have room for up to twice as many.
@@ -337,7 +339,7 @@ class Subdivider {
 
   /// Searches the sides of leaves for features.
   void search_sides(std::span<const Leaf> leaves) {
-    const std::vector<Side> sides = unsearched_sides(leaves, tree_);
+    const std::vector<Side> sides = unsearched_sides(leaves, limits_.threads, tree_);
     if (!sides.empty()) trace_features(sides, trace_options(), tree_);
   }
 
@@ -362,14 +364,18 @@ class Subdivider {
       (may_crease ? all_features : only_jumps).push_back(leaf);
     }
     search_sides(all_features);
-    find_jumps(unsearched_sides(only_jumps, tree_), trace_options(), tree_);
+    find_jumps(unsearched_sides(only_jumps, limits_.threads, tree_), trace_options(), tree_);
     // Features are counted before halves put new vertices on the sides.
     std::vector<FeatureCount> features_of(to_search.size());
+    parallel_chunks(to_search.size(), kSearchedTogether, limits_.threads,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t k = begin; k < end; ++k)
+                        features_of[k] = count_features(to_search[k].candidate.leaf, tree_);
+                    });
     for (std::size_t k = 0; k < to_search.size(); ++k) {
       Leaf& leaf = to_search[k].candidate.leaf;
-      const FeatureCount features = count_features(leaf, tree_);
+      const FeatureCount& features = features_of[k];
       if (features.leads_to_pole) to_search[k].error.distance = to_search[k].error.gap;
-      features_of[k] = features;
       const bool is_creased = to_search[k].error.is_folded && features.is_through();
       // A leaf whose samples show nothing may hold a strip that goes through. Any other part of a
       // feature is too small beside the leaf.
@@ -395,7 +401,8 @@ class Subdivider {
     }
   }
 
-  /// The error estimate of a leaf. `known`: the estimate, if it was made before, else nullptr.
+  /// The error estimate of a leaf. `known`: the one that was made before; nullptr for a leaf that
+  /// the loops pass, which may have counterexamples.
   Estimated estimate(Candidate candidate, const CellError* known) const {
     Estimated estimated{std::move(candidate), {}};
     Leaf& leaf = estimated.candidate.leaf;

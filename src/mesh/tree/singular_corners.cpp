@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <set>
 
+#include "base/parallel.h"
 #include "mesh/grid/corners.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 
 namespace saddle {
@@ -45,27 +47,31 @@ struct View {
   dvec2 inside;             ///< parameters of its middle
 };
 
-std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
-                                 const CellTree& tree) {
-  std::vector<View> views;
-  const CellMarks& singular_cells = tree.geometry().singular_cells();
-  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
-    if (!singular_cells.contains(leaves[leaf])) continue;
-    bool is_regular = !leaves[leaf].state.is_cut_by_feature();
-    for_sides(leaves[leaf], tree, [&](std::uint32_t a, std::uint32_t) {
-      is_regular = is_regular && tree.geometry().is_regular(a);
-    });
-    if (is_regular) continue;
-    const std::vector<Polygon> polygons = sub_polygons(leaves[leaf], tree);
-    for (std::size_t sub_polygon = 0; sub_polygon < polygons.size(); ++sub_polygon) {
-      const Polygon& polygon = polygons[sub_polygon];
-      for (const PolygonCorner& corner : polygon) {
-        if (tree.geometry().is_regular(corner.corner)) continue;
-        views.push_back(
-            {corner.corner, leaf, sub_polygon, face_normal(grid, polygon), middle(grid, polygon)});
-      }
+void append_singular_views(std::span<const Leaf> leaves, std::size_t leaf, const Grid& grid,
+                           const CellTree& tree, std::vector<View>& views) {
+  if (!tree.geometry().singular_cells().contains(leaves[leaf])) return;
+  bool is_regular = !leaves[leaf].state.is_cut_by_feature();
+  for_sides(leaves[leaf], tree, [&](std::uint32_t a, std::uint32_t) {
+    is_regular = is_regular && tree.geometry().is_regular(a);
+  });
+  if (is_regular) return;
+  const std::vector<Polygon> polygons = sub_polygons(leaves[leaf], tree);
+  for (std::size_t sub_polygon = 0; sub_polygon < polygons.size(); ++sub_polygon) {
+    const Polygon& polygon = polygons[sub_polygon];
+    for (const PolygonCorner& corner : polygon) {
+      if (tree.geometry().is_regular(corner.corner)) continue;
+      views.push_back(
+          {corner.corner, leaf, sub_polygon, face_normal(grid, polygon), middle(grid, polygon)});
     }
   }
+}
+
+std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
+                                 const CellTree& tree, unsigned threads) {
+  std::vector<View> views = gather_in_chunks<View>(
+      leaves.size(), kInBatch, threads, [&](std::size_t leaf, std::vector<View>& some) {
+        append_singular_views(leaves, leaf, grid, tree, some);
+      });
   std::ranges::stable_sort(views, {}, &View::vertex);
   return views;
 }
@@ -108,7 +114,7 @@ SingularCorners::SingularCorners(std::span<const Leaf> leaves, const CellTree& t
                                  unsigned threads, LastLimits& last, Grid& grid,
                                  MeshReport& report) {
   const Surface& surface = tree.surface();
-  const std::vector<View> views = singular_views(leaves, grid, tree);
+  const std::vector<View> views = singular_views(leaves, grid, tree, threads);
   std::vector<Approach> approaches;
   approaches.reserve(views.size());
   for (const View& view : views) {

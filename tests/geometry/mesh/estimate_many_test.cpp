@@ -128,6 +128,30 @@ TEST(ManyLeaves, ThatFailLeaveClippingAndLimitsToACloserLook) {
   for (std::size_t k = 0; k < of_cone.size(); ++k) EXPECT_EQ(of_cone[k].is_known, k >= 20) << k;
 }
 
+TEST(ManyLeaves, AreJudgedAlikeOnEveryNumberOfThreads) {
+  for (const Surface& surface : {waves(), folded()}) {
+    std::vector<FastCellErrors> judged;
+    for (const unsigned threads : {1u, 3u}) {
+      CellLimits limits{0.02, 9, {5000}, {}, {}, {}, threads};
+      limits.seen_u.assign(41, 0);
+      limits.seen_v.assign(35, 0);
+      const Subject subject(surface, limits, 2);  // in three chunks
+      judged.push_back(glances_at(subject));
+      estimate_others(subject.leaves, subject.limits, subject.indicator, subject.tree,
+                      judged.back());
+      for (std::size_t k = 0; k < subject.leaves.size(); ++k) {
+        const CellError* const error = judged.back().error(judged.back().leaves[k]);
+        if (error != nullptr)
+          expect_near(error->distance, subject.indicator.estimate(subject.leaves[k]).distance, k);
+      }
+    }
+    EXPECT_GT(judged[0].errors.size(), judged[0].leaves.size() / 50);
+    EXPECT_EQ(judged[0].errors.size(), judged[1].errors.size());
+    EXPECT_EQ(count_known(judged[0]), judged[0].leaves.size());
+    EXPECT_EQ(count_known(judged[1]), judged[1].leaves.size());
+  }
+}
+
 TEST(ManyLeaves, CountHowNormalsTurnAcrossSliversOnlyIfItIsSeen) {
   const Surface surface = ridges();
   constexpr double kThickness = 0.014;  // of all cells

@@ -130,6 +130,20 @@ TEST(ParallelChunks, StopOnAllThreadsAfterAnException) {
   EXPECT_LT(calls, 1000);
 }
 
+TEST(GatherInChunks, KeepsTheOrderOnAnyNumberOfThreads) {
+  const auto gather = [](std::size_t count, unsigned threads) {
+    return gather_in_chunks<std::size_t>(count, 4, threads,
+                                         [](std::size_t k, std::vector<std::size_t>& found) {
+                                           if (k % 3 > 0) found.push_back(k);
+                                         });
+  };
+  for (const unsigned threads : {0u, 1u, 3u}) {
+    EXPECT_EQ(gather(0, threads), std::vector<std::size_t>{});
+    EXPECT_EQ(gather(4, threads), (std::vector<std::size_t>{1, 2}));
+    EXPECT_EQ(gather(9, threads), (std::vector<std::size_t>{1, 2, 4, 5, 7, 8}));
+  }
+}
+
 TEST(AvailableThreads, CountTheProcessorsThatTheProcessMayUse) {
   cpu_set_t before;
   ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
