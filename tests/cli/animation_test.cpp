@@ -344,7 +344,9 @@ TEST_F(AnimationTest, ShowsItsProgressOnATerminalAlone) {
     const std::string command = "cd '" + folder_.string() + "' && script -qec \"'" +
                                 program_path() + "' " + words + "\" /dev/null >out </dev/null";
     const int status = std::system(command.c_str());
-    if (!may_fail) EXPECT_EQ(status, 0) << content("out");
+    if (!may_fail) {
+      EXPECT_EQ(status, 0) << content("out");
+    }
     return content("out");
   };
   const auto has_bar = [](const std::string& shown, const std::string& what) {
@@ -362,7 +364,9 @@ TEST_F(AnimationTest, ShowsItsProgressOnATerminalAlone) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string brief = on_terminal("torus -s 16x16 -o short.png");
   const bool is_brief = std::chrono::steady_clock::now() - begin < std::chrono::seconds(1);
-  if (is_brief) EXPECT_EQ(brief, "");
+  if (is_brief) {
+    EXPECT_EQ(brief, "");
+  }
   // Hundreds of sheets take a fast machine two seconds. With a sanitizer the time may end before
   // there is a mesh.
   const std::string hard = "x='sin(100*u*v)' y='cos(130*u+v)' z='sin(170*v-u*u)' --max-time 6 ";
