@@ -8,6 +8,7 @@
 #include <future>
 #include <stop_token>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -21,15 +22,29 @@ namespace saddle {
 void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads,
                      const std::function<void(std::size_t begin, std::size_t end)>& body);
 
+/// The results of body(begin, end) for the chunks of parallel_chunks(), in their order.
+template <typename Body>
+auto results_of_chunks(std::size_t count, std::size_t chunk, unsigned threads, const Body& body)
+    -> std::vector<std::invoke_result_t<Body, std::size_t, std::size_t>> {
+  std::vector<std::invoke_result_t<Body, std::size_t, std::size_t>> results((count + chunk - 1) /
+                                                                            chunk);
+  parallel_chunks(count, chunk, threads, [&](std::size_t begin, std::size_t end) {
+    results[begin / chunk] = body(begin, end);
+  });
+  return results;
+}
+
 /// Calls append(k, found) for each k of [0, count), on up to `threads` threads, with a list for
 /// each chunk. Returns what was found, in the order of k.
 template <typename T, typename Append>
 std::vector<T> gather_in_chunks(std::size_t count, std::size_t chunk, unsigned threads,
                                 Append append) {
-  std::vector<std::vector<T>> parts((count + chunk - 1) / chunk);
-  parallel_chunks(count, chunk, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) append(k, parts[begin / chunk]);
-  });
+  std::vector<std::vector<T>> parts =
+      results_of_chunks(count, chunk, threads, [&](std::size_t begin, std::size_t end) {
+        std::vector<T> part;
+        for (std::size_t k = begin; k < end; ++k) append(k, part);
+        return part;
+      });
   if (parts.size() == 1) return std::move(parts.front());
   std::size_t size = 0;
   for (const std::vector<T>& part : parts) size += part.size();

@@ -346,10 +346,10 @@ std::vector<WholeMeshError::Expected> WholeMeshError::expect_farthest(
     const auto some = rest.first(std::min(rest.size(), kKeptAtATime));
     rest = rest.subspan(some.size());
     const double least = farthest.size() < kMostSearched ? 0 : farthest.back().distance;
-    std::vector<std::vector<Expected>> found((some.size() - 1) / kInBatch + 1);
-    parallel_chunks(some.size(), kInBatch, threads_, [&](std::size_t begin, std::size_t end) {
-      found[begin / kInBatch] = expect_above(some.subspan(begin, end - begin), known, least);
-    });
+    const std::vector<std::vector<Expected>> found =
+        results_of_chunks(some.size(), kInBatch, threads_, [&](std::size_t begin, std::size_t end) {
+          return expect_above(some.subspan(begin, end - begin), known, least);
+        });
     for (const std::vector<Expected>& more : found) {
       std::vector<Expected> both;
       std::ranges::merge(farthest, more, std::back_inserter(both), std::ranges::greater(),

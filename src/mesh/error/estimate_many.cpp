@@ -144,12 +144,12 @@ class ChunkEstimate {
 FastCellErrors estimate_many(std::span<const Leaf> leaves, const CellLimits& limits,
                              const ErrorIndicator& indicator, const CellTree& tree) {
   FastCellErrors result{std::vector<FastCellError>(leaves.size()), {}};
-  std::vector<std::vector<CellError>> errors((leaves.size() + kInBatch - 1) / kInBatch);
-  parallel_chunks(leaves.size(), kInBatch, limits.threads, [&](std::size_t begin, std::size_t end) {
-    ChunkEstimate some(leaves.subspan(begin, end - begin), limits, indicator, tree,
-                       std::span(result.leaves).subspan(begin, end - begin));
-    errors[begin / kInBatch] = some.estimate();
-  });
+  const std::vector<std::vector<CellError>> errors = results_of_chunks(
+      leaves.size(), kInBatch, limits.threads, [&](std::size_t begin, std::size_t end) {
+        ChunkEstimate some(leaves.subspan(begin, end - begin), limits, indicator, tree,
+                           std::span(result.leaves).subspan(begin, end - begin));
+        return some.estimate();
+      });
   for (std::size_t begin = 0; begin < leaves.size(); begin += kInBatch) {
     const auto before = static_cast<std::uint32_t>(result.errors.size());
     const auto some = std::span(result.leaves).subspan(begin);

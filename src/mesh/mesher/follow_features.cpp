@@ -48,19 +48,19 @@ std::vector<std::size_t> follow_features(const TraceOptions& options, std::span<
                                          CellTree& tree) {
   std::vector<std::size_t> split;
   while (true) {
-    std::vector<Followed> parts((leaves.size() + kInBatch - 1) / kInBatch);
     const std::uint32_t now = tree.revisions().next();
-    parallel_chunks(leaves.size(), kInBatch, options.threads,
-                    [&](std::size_t begin, std::size_t end) {
-                      for (std::size_t k = begin; k < end; ++k) {
-                        Leaf& leaf = leaves[k];
-                        if (!tree.revisions().has_changed(leaf, leaf.followed_at)) continue;
-                        leaf.followed_at = now;
-                        if (set_state(leaf, tree)) parts[begin / kInBatch].split.push_back(k);
-                        if (!leaf.state.is_whole())
-                          append_unsearched(leaf, tree, parts[begin / kInBatch].unsearched);
-                      }
-                    });
+    const std::vector<Followed> parts = results_of_chunks(
+        leaves.size(), kInBatch, options.threads, [&](std::size_t begin, std::size_t end) {
+          Followed part;
+          for (std::size_t k = begin; k < end; ++k) {
+            Leaf& leaf = leaves[k];
+            if (!tree.revisions().has_changed(leaf, leaf.followed_at)) continue;
+            leaf.followed_at = now;
+            if (set_state(leaf, tree)) part.split.push_back(k);
+            if (!leaf.state.is_whole()) append_unsearched(leaf, tree, part.unsearched);
+          }
+          return part;
+        });
     std::vector<Side> sides;
     for (const Followed& part : parts) {
       split.insert(split.end(), part.split.begin(), part.split.end());

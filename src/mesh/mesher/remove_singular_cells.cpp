@@ -222,16 +222,17 @@ void append_classified(const Leaf& leaf, bool is_unproved, const CellTree& tree,
 /// pole. Walls may be within tolerance then, so all leaves of a surface with poles count.
 Sides classify_sides(const CellLimits& limits, const CellTree& tree, const ValidatedMesh& mesh) {
   const bool has_poles = tree.has_poles();
-  std::vector<Sides> parts((mesh.leaves.size() + kInBatch - 1) / kInBatch);
-  parallel_chunks(
+  const std::vector<Sides> parts = results_of_chunks(
       mesh.leaves.size(), kInBatch, limits.threads, [&](std::size_t begin, std::size_t end) {
+        Sides part;
         for (std::size_t k = begin; k < end; ++k) {
           const Leaf& leaf = mesh.leaves[k];
           const bool is_unproved = exceeds_tolerance(mesh, k) || (has_poles && !limits.clip);
           if (!is_unproved && !has_poles) continue;
           if (leaf.state.is_left_out() || is_clipped(leaf, limits.clip, tree)) continue;
-          append_classified(leaf, is_unproved, tree, parts[begin / kInBatch]);
+          append_classified(leaf, is_unproved, tree, part);
         }
+        return part;
       });
   Sides result;
   for (const auto kind : {&Sides::lead_to_poles, &Sides::unsearched, &Sides::cut}) {

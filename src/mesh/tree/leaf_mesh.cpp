@@ -215,11 +215,10 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
                                  const SingularCorners& singular, const Grid& grid,
                                  const CellTree& tree, unsigned threads) {
   if (which.size() <= kInBatch) return triangulate(leaves, which, singular, grid, tree);
-  std::vector<LeafTriangles> parts((which.size() - 1) / kInBatch + 1);
-  parallel_chunks(which.size(), kInBatch, threads, [&](std::size_t begin, std::size_t end) {
-    parts[begin / kInBatch] =
-        triangulate(leaves, which.subspan(begin, end - begin), singular, grid, tree);
-  });
+  std::vector<LeafTriangles> parts =
+      results_of_chunks(which.size(), kInBatch, threads, [&](std::size_t begin, std::size_t end) {
+        return triangulate(leaves, which.subspan(begin, end - begin), singular, grid, tree);
+      });
   LeafTriangles result;
   result.all.reserve(2 * which.size());
   result.ranges.reserve(which.size());
