@@ -49,6 +49,23 @@ bool goes_on_in_sides(const Leaf& leaf, const CellTree& tree) {
   return shortest <= width && width <= kClose * std::max(leaf.size_u(), leaf.size_v());
 }
 
+/// The longest edge of a sheet in a leaf, straight from where its line enters to where it leaves.
+/// Infinite if no line goes through.
+double length_of_cuts(const Leaf& leaf, const CellTree& tree) {
+  std::vector<dvec3> ends;  // two at each cut side, in the order of the sides
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    const auto feature = tree.edges().feature(a, b);
+    if (!feature) return;
+    for (const std::uint32_t vertex : {feature->beside(a), feature->beside(b)})
+      ends.push_back(tree.mesh().position[vertex]);
+  });
+  if (ends.size() < 4 || !std::ranges::all_of(ends, is_finite)) return kInfinity;
+  double longest = 0;
+  for (std::size_t k = 1; k < ends.size(); k += 2)
+    longest = std::max(longest, glm::distance(ends[k], ends[(k + 1) % ends.size()]));
+  return longest;
+}
+
 bool covers_leaf(const Leaf& leaf, const CellTree& tree) {
   double area = 0;
   for (const Polygon& polygon : sub_polygons(leaf, tree)) area += 0.5 * doubled_area_of(polygon);
@@ -67,8 +84,11 @@ bool SplitDirection::is_across_u(std::size_t number, const Oscillation& predicte
   }
   if (leaf.state.is_on_boundary()) return indicator_.splits_boundary_u(leaf);
   if (is_cut_unclearly(number)) return count_features(leaf, tree_).is_parted_along_u(leaf);
-  // Where halving across a crease has made a sliver, the error is in one of its sub-polygons.
-  const bool is_done = is_sliver(leaf) && count_features(leaf, tree_).only_creases;
+  // Where halving across a crease or a jump has made a sliver, the error is in one of its
+  // sub-polygons.
+  const bool is_done =
+      is_sliver(leaf) && (count_features(leaf, tree_).only_creases ||
+                          length_of_cuts(leaf, tree_) <= kUnnoticed * mesh_.allowed[number]);
   if (is_far && mesh_.sampled_errors[number].on_crease && !is_done)
     return is_cut_along_u(leaf, tree_);
   const CellError error = indicator_.estimate(leaf);

@@ -373,5 +373,17 @@ TEST(BoundedWork, EndsWhereALineHasAnyNumberOfThinParts) {
   EXPECT_FALSE(result.mesh.triangles.empty());
 }
 
+TEST(BoundedWork, DoesNotCutLeavesIntoSliversAcrossAJumpBetweenPoints) {
+  // Beside u=-v each sheet has one point as its edge there: its leaves are too coarse along v.
+  const Surface surface = surface_from_text("exp(1/(5*v))", "atan2(u+v,v)", "(u+v)/sin(u)",
+                                            {-1, 1, -1, 1}, {}, Order::Second);
+  MeshRequest options = within_length(0.01354);
+  options.normal_tolerance = 3;
+  options.clip = Bounds{{-2.1, -3.2, -4.0}, {6.7, 3.2, 6.0}};
+  const MeshResult result = try_mesh(surface, options).value();
+  EXPECT_FALSE(result.report.reached_limit);
+  EXPECT_LT(result.report.evaluations, 5'000'000U);
+}
+
 }  // namespace
 }  // namespace saddle
