@@ -24,10 +24,12 @@ void BeyondChords::add(const ParameterBox& box, std::size_t leaf,
     const dvec3 moved =
         (ac[other] * (position[b] - position[a]) - ab[other] * (position[c] - position[a])) / area;
     const double outward = (area > 0) == (axis == 0) ? ab[other] : -ab[other];
-    const double step = std::copysign(allowed / glm::length(moved), outward);
-    if (outward == 0 || !std::isfinite(step)) continue;
+    double step = std::copysign(allowed / glm::length(moved), outward);
     const double from =
         step > 0 ? std::max(uv[a][axis], uv[b][axis]) : std::min(uv[a][axis], uv[b][axis]);
+    // Beside a pole the triangle may be so long that the step is 0: then nothing is looked for.
+    if (outward == 0 || !std::isnormal(step) || !std::isfinite(from)) continue;
+    while (from + step == from) step *= 2;
     open_.push_back({box, leaf, triangles, allowed, axis, from, step});
   }
 }

@@ -385,5 +385,14 @@ TEST(BoundedWork, DoesNotCutLeavesIntoSliversAcrossAJumpBetweenPoints) {
   EXPECT_LT(result.report.evaluations, 5'000'000U);
 }
 
+TEST(BoundedWork, EndsBesideChordsOfTrianglesLongerThanAllLengths) {
+  const Surface surface =
+      surface_from_text("(u^2-v)/(u-v)/(floor(2*(u^2+v^2-1))+0.5)", "exp(1/(u-v))", "1/u/sin(u)^2",
+                        {-3, 3, -3, 3}, {}, Order::Second);
+  MeshRequest options = thousandth();
+  options.clip = Bounds{{-1, -5, -10}, {2, 5, 3}};
+  EXPECT_FALSE(try_mesh(surface, options)->mesh.triangles.empty());
+}
+
 }  // namespace
 }  // namespace saddle
