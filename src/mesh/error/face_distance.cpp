@@ -22,6 +22,12 @@ constexpr double kSteepest = 16;
 /// A line between two sides is looked for up to half of their distance to either side.
 constexpr double kBesideCut = 0.5;
 
+/// Whether something within a box may be nearer to a place than a distance.
+bool is_nearer_box(const dvec3& low, const dvec3& high, const dvec3& place, double distance) {
+  const dvec3 beyond = glm::max(low - place, place - high);
+  return std::max({beyond.x, beyond.y, beyond.z}) < distance;
+}
+
 }  // namespace
 
 void FaceDistance::for_faces(const auto& act) const {
@@ -197,8 +203,12 @@ void FaceDistance::move_to_cuts(std::size_t leaves, const TrianglesOf& triangles
     for (std::size_t k = begin; k < end; ++k) {
       for (const Triangle& t : triangles_of(k)) {
         for_cuts(t, [&](const Face& face, const CutSides& cut) {
+          const dvec3 low = glm::min(cut.ends[0], cut.ends[1]);
+          const dvec3 high = glm::max(cut.ends[0], cut.ends[1]);
           for (FarPlace& place : moved) {
-            if (place.crossing->face == face) place.move_to_cut(cut.ends);
+            if (place.crossing->face != face) continue;
+            if (is_nearer_box(low, high, place.crossing->position, place.distance))
+              place.move_to_cut(cut.ends);
           }
         });
       }
@@ -225,8 +235,7 @@ void FaceDistance::move_to_lines(std::size_t first, std::size_t last,
     const dvec3 high = glm::max(line[0], glm::max(line[1], line[2]));
     for (FarPlace& place : places) {
       if (place.crossing->face != cuts_[k].face) continue;
-      const dvec3 beyond = glm::max(low - place.on_cut, place.on_cut - high);
-      if (std::max({beyond.x, beyond.y, beyond.z}) >= place.distance_of_cut) continue;
+      if (!is_nearer_box(low, high, place.on_cut, place.distance_of_cut)) continue;
       place.move_to_line({line[0], line[1]});
       place.move_to_line({line[1], line[2]});
     }
