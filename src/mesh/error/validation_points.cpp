@@ -198,6 +198,25 @@ void PointPlacer::append_across(std::size_t number, const Leaf& leaf,
   });
 }
 
+/// Points at the middles of a leaf's sides, but for what is between two features. The indicator
+/// covers the sides of leaves that nothing cuts: where both neighbours are cut, a side has no other
+/// points.
+void PointPlacer::append_border(std::size_t number, const Leaf& leaf,
+                                std::span<const Triangle> triangles,
+                                std::vector<ValidationPoint>& samples) const {
+  const auto& uv = grid_.mesh.uv;
+  const dvec2 low = tree_.vertices().parameters(leaf.low);
+  const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
+  for (const Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Chord side = {t[k], t[(k + 1) % 3]};
+      const dvec2 middle = glm::mix(uv[side[0]], uv[side[1]], kMiddleOfLine[0]);
+      const dvec2 part = (middle - low) / size;
+      if (!is_chord(part, side, tree_)) samples.push_back({number, middle, &t, true});
+    }
+  }
+}
+
 void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
                                 std::span<const Triangle> triangles,
                                 std::vector<ValidationPoint>& samples) const {
@@ -212,6 +231,7 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
   if (features.has_cliffs) append_middles(number, leaf, samples);
+  if (is_parted && features.only_jumps) append_border(number, leaf, triangles, samples);
   const auto append_chord = [&](const Triangle& t, std::size_t k) {
     const std::uint32_t a = t[k];
     const std::uint32_t b = t[(k + 1) % 3];

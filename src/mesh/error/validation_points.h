@@ -47,6 +47,8 @@ class PointPlacer {
                     std::vector<ValidationPoint>& samples) const;
   void append_across(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
                      double allowed, std::vector<ValidationPoint>& samples) const;
+  void append_border(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
+                     std::vector<ValidationPoint>& samples) const;
   void append_chords(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
                      std::vector<ValidationPoint>& samples) const;
 
