@@ -233,6 +233,7 @@ std::vector<LeafDistance> BoundaryDistance::measure() {
   measure_chords(found);
   std::ranges::copy(beyond_.measure(), std::back_inserter(found));
   if (!jumps_.empty()) measure_jumps(found);
+  std::ranges::copy(on_sides_, std::back_inserter(found));
   std::ranges::copy(close_jumps_.measure(delta_), std::back_inserter(found));
   std::ranges::copy(turns_.measure(delta_), std::back_inserter(found));
   evaluations_ += close_jumps_.evaluations() + turns_.evaluations();

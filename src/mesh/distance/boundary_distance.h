@@ -93,6 +93,7 @@ class BoundaryDistance {
   void add_at_jump(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
                    double allowed);
   void add_flat_sheets(const Leaf& leaf, std::size_t number, double allowed);
+  void add_edges_on_sides(const Leaf& leaf, std::size_t number, double allowed);
   std::optional<dvec2> outside_of(const Leaf& leaf, std::span<const Triangle> sheet,
                                   const dvec2& border, const dvec2& way) const;
   static bool is_beyond(const EdgeChord& chord, const dvec2& uv);
@@ -135,6 +136,7 @@ class BoundaryDistance {
   OmittedLeaves omitted_;
   std::vector<EdgeChord> chords_;  ///< of boundaries
   std::vector<EdgeChord> jumps_;
+  std::vector<LeafDistance> on_sides_;  ///< of edges on the sides of leaves with a jump
   double delta_ = std::numeric_limits<double>::infinity();  ///< a smaller gap is no jump
   std::size_t evaluations_ = 0;
   std::size_t looks_ = 0;

@@ -50,6 +50,7 @@ void BoundaryDistance::add_at_jump(const Leaf& leaf, std::size_t number,
   if (leaf.state.leads_to_pole() || has_cut(FeatureKind::Pole, leaf, tree_)) return;
   delta_ = std::min(delta_, allowed);
   add_flat_sheets(leaf, number, allowed);
+  add_edges_on_sides(leaf, number, allowed);
   if (triangles.empty()) return add_omitted(leaf, number, allowed, true);
   if (close_jumps_.add(leaf, number, triangles)) return;
   const std::size_t first = jumps_.size();
@@ -83,6 +84,33 @@ void BoundaryDistance::add_flat_sheets(const Leaf& leaf, std::size_t number, dou
       const dvec2 beyond = low + size * border_of_square((start - low) / size, {-along.y, along.x});
       jumps_.push_back(
           {number, allowed, {}, {}, ends, start, start, start, beyond, std::nullopt, false});
+    }
+  }
+}
+
+/// Measures the edges of sheets that end at the very side of a leaf, from outside. The leaf beside
+/// this one, which has their triangles, takes the side for one in the middle of a sheet.
+void BoundaryDistance::add_edges_on_sides(const Leaf& leaf, std::size_t number, double allowed) {
+  const dvec2 low = tree_.vertices().parameters(leaf.low);
+  const dvec2 size = tree_.vertices().parameters(leaf.high()) - low;
+  const ParameterBox domain = box_of(surface_.domain);
+  for (const Chord& side : sides_along_jumps(leaf, tree_)) {
+    const dvec2 along = glm::normalize((grid_.mesh.uv[side[1]] - grid_.mesh.uv[side[0]]) / size);
+    // Counter-clockwise, the leaf is to the left.
+    const dvec2 outward = kNearly * size * dvec2(along.y, -along.x);
+    const dvec2 outside = on_chord(side, kMiddleOfLine[0]) + outward;
+    if (nearest_in(domain, outside) != outside) continue;
+    std::vector<dvec2> uv;
+    for (const double share : kAlongLine) {
+      uv.push_back(on_chord(side, share));
+      uv.push_back(uv.back() + outward);
+    }
+    const std::vector<dvec3> at = evaluate_positions(surface_, uv, threads_);
+    evaluations_ += uv.size();
+    for (std::size_t k = 0; k < at.size(); k += 2) {
+      // A line of its own, as that of sign(v) at v=0, is the edge of no sheet.
+      if (!(glm::distance(at[k], at[k + 1]) <= allowed) || !is_seen(clip_, at[k])) continue;
+      on_sides_.push_back({number, distance_from_chord(grid_, side, at[k]), true, uv[k]});
     }
   }
 }

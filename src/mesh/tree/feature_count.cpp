@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/vec.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_tree.h"
 #include "mesh/tree/jump_lines.h"
@@ -141,6 +142,36 @@ void add_kind(const EdgeFeature& feature, FeatureCount& count) {
 }
 
 }  // namespace
+
+std::vector<std::array<std::uint32_t, 2>> sides_along_jumps(const Leaf& leaf,
+                                                            const CellTree& tree) {
+  using Ends = std::array<std::uint32_t, 2>;
+  std::vector<Ends> sides;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) { sides.push_back({a, b}); });
+  const auto is_along = [&](const Ends& side, const Ends& other) {
+    const dvec2 a = tree.vertices().place_between(side[1]) - tree.vertices().place_between(side[0]);
+    const dvec2 b =
+        tree.vertices().place_between(other[1]) - tree.vertices().place_between(other[0]);
+    return cross(a, b) == 0;
+  };
+  std::vector<Ends> along;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    if (!is_cut_at(sides[k][1], sides[k][0], tree)) continue;
+    // From there to the next cut, on one side of the leaf.
+    std::vector<Ends> stretch;
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      const Ends& side = sides[(k + i) % sides.size()];
+      if (is_cut_at(side[0], side[1], tree)) {
+        along.insert(along.end(), stretch.begin(), stretch.end());
+        break;
+      }
+      if (tree.edges().feature(side[0], side[1])) break;
+      if (!stretch.empty() && !is_along(stretch.front(), side)) break;
+      stretch.push_back(side);
+    }
+  }
+  return along;
+}
 
 FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
   FeatureCount count;

@@ -1,6 +1,7 @@
 // The features on the sides of a leaf, counted: what cuts it, and along which direction.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -86,6 +87,10 @@ bool is_cusp(std::uint32_t a, std::uint32_t b, const CellTree& tree);
 /// Whether the features and cusps of a leaf extend along u rather than along v, relative to its
 /// sides. Without any: whether u is its longer direction.
 bool is_cut_along_u(const Leaf& leaf, const CellTree& tree);
+
+/// The sides of a leaf on which a sheet of its neighbour ends: the surface jumps on the side
+/// itself. From end to end, counter-clockwise.
+std::vector<std::array<std::uint32_t, 2>> sides_along_jumps(const Leaf& leaf, const CellTree& tree);
 
 FeatureCount count_features(const Leaf& leaf, const CellTree& tree);
 
