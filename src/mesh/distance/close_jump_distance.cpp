@@ -47,7 +47,7 @@ CloseJumpDistance::Sheets CloseJumpDistance::sheets_of(const Leaf& leaf,
 }
 
 bool CloseJumpDistance::add(const Leaf& leaf, std::size_t number,
-                            std::span<const Triangle> triangles) {
+                            std::span<const Triangle> triangles, double allowed) {
   const JumpLines lines(leaf, tree_);
   if (lines.count() == 0 || !lines.have_strips() || !lines.cross_two_sides()) return false;
   const Sheets sheets = sheets_of(leaf, lines);
@@ -70,7 +70,8 @@ bool CloseJumpDistance::add(const Leaf& leaf, std::size_t number,
                        {glm::mix(low, high, line[0]), glm::mix(low, high, line[1])},
                        share,
                        sheets.segments,
-                       std::move(in_strips)});
+                       std::move(in_strips),
+                       allowed});
   }
   return true;
 }
@@ -154,20 +155,22 @@ std::vector<LeafDistance> CloseJumpDistance::measure(double delta) {
     along[k % along.size()] =
         measure(across_[k], places[k], std::span(positions).subspan(next, places[k].size()), found);
     next += places[k].size();
-    if ((k + 1) % along.size() == 0) measure_ends(across_[k].leaf, along, found);
+    if ((k + 1) % along.size() == 0) measure_ends(across_[k], along, found);
   }
   return found;
 }
 
 /// Where an edge turns near an end of its chord, as at the end of a slot, distances grow up to
 /// there: the straight line through two of them is taken to the chord's end.
-void CloseJumpDistance::measure_ends(std::size_t leaf, std::span<const std::vector<double>> along,
+void CloseJumpDistance::measure_ends(const Across& across,
+                                     std::span<const std::vector<double>> along,
                                      std::vector<LeafDistance>& found) {
   const std::size_t edges = along[0].size();
   if (along[1].size() != edges || along[2].size() != edges) return;
   for (std::size_t k = 0; k < edges; ++k) {
     const double larger = std::max(along[0][k], along[2][k]);
-    found.push_back({leaf, std::max(2 * larger - along[1][k], 0.0), true});
+    const double at_end = 2 * larger - along[1][k];
+    found.push_back({across.leaf, supported_distance(at_end, larger, across.allowed), true});
   }
 }
 
@@ -199,6 +202,10 @@ std::vector<double> CloseJumpDistance::measure(const Across& across, std::span<c
   for (const auto& [from, to] : across.edges) {
     const dvec3 p = glm::mix(from, to, across.share);
     double least = std::numeric_limits<double>::infinity();
+    // The ends of the edge are on the surface.
+    for (const dvec3& end : {from, to}) {
+      if (is_finite(end)) least = std::min(least, glm::distance(p, end));
+    }
     for (const dvec3& edge : edges) least = std::min(least, glm::distance(edge, p));
     if (!edges.empty()) found.push_back({across.leaf, least, true});
   }

@@ -25,7 +25,8 @@ class CloseJumpDistance {
 
   /// Adds lines across the strips that go through a leaf. Its triangles must outlive this. False
   /// where strips do not all go from one side to another.
-  bool add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles);
+  bool add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
+           double allowed);
   /// Distances at the leaves that were added; several for some. A gap of less than `delta` is no
   /// jump.
   std::vector<LeafDistance> measure(double delta);
@@ -44,12 +45,13 @@ class CloseJumpDistance {
     /// The edges of the mesh's sheets, in the order of the line.
     std::vector<std::array<dvec3, 2>> edges;
     std::vector<dvec2> in_strips;  ///< where the mesh has its strips on the line
+    double allowed;                ///< the leaf's tolerance
   };
   std::vector<std::vector<Line>> jumps_between_strips(double delta);
   void search(double delta, std::span<std::vector<Line>> jumps);
   std::vector<double> measure(const Across& across, std::span<const dvec2> uv,
                               std::span<const dvec3> edges, std::vector<LeafDistance>& found) const;
-  static void measure_ends(std::size_t leaf, std::span<const std::vector<double>> along,
+  static void measure_ends(const Across& across, std::span<const std::vector<double>> along,
                            std::vector<LeafDistance>& found);
   /// The sheets of a leaf, sheet by sheet.
   struct Sheets {

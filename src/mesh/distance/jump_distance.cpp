@@ -30,7 +30,8 @@ constexpr double kLeastJump = 0.125;
 
 /// The largest distance of an edge from its chord, by its heights on the ways across. `middle`: the
 /// end of the middle way.
-double largest_distance(std::span<const Height> heights, const std::optional<SheetEnd>& middle) {
+double largest_distance(std::span<const Height> heights, const std::optional<SheetEnd>& middle,
+                        double allowed) {
   // The middle way meets the corner of two lines of constant u and v. Where these cross, it may go
   // on in a sheet of the same height, as that of sign(u)*sign(v).
   const bool goes_on = middle && middle->kind == SheetEnd::Kind::Open;
@@ -39,7 +40,10 @@ double largest_distance(std::span<const Height> heights, const std::optional<She
   // Where the sheet's edge leaps to the end of the chord, as at the end of the jump of atan2(v, u),
   // distances grow up to there.
   const auto at_end = [&](std::size_t k) { return 2 * heights[k].distance - heights[1].distance; };
-  return std::max({predicted_distance({heights[0], heights[1], heights[2]}), at_end(0), at_end(2)});
+  const double predicted =
+      std::max({predicted_distance({heights[0], heights[1], heights[2]}), at_end(0), at_end(2)});
+  const double farthest = std::ranges::max(heights, {}, &Height::distance).distance;
+  return supported_distance(predicted, farthest, allowed);
 }
 
 }  // namespace
@@ -52,7 +56,7 @@ void BoundaryDistance::add_at_jump(const Leaf& leaf, std::size_t number,
   add_flat_sheets(leaf, number, allowed);
   add_edges_on_sides(leaf, number, allowed);
   if (triangles.empty()) return add_omitted(leaf, number, allowed, true);
-  if (close_jumps_.add(leaf, number, triangles)) return;
+  if (close_jumps_.add(leaf, number, triangles, allowed)) return;
   const std::size_t first = jumps_.size();
   add_chords(leaf, number, triangles, FeatureKind::Jump, allowed);
   const bool is_slight = has_slight_jump(leaf, allowed);
@@ -204,22 +208,31 @@ void BoundaryDistance::measure_jumps(std::vector<LeafDistance>& found) {
   evaluations_ += uv.size() + before.size();
   std::size_t next = 0;         // of before_chords
   std::vector<Height> heights;  // of the chord so far
+  std::vector<LeafDistance> edges;
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const EdgeChord& chord = jumps_[k];
-    if (k % kAlongLine.size() == 0) heights.clear();
-    const auto add = [&](double distance) { found.push_back({chord.leaf, distance, true}); };
+    if (k % kAlongLine.size() == 0) {
+      heights.clear();
+      edges.clear();
+    }
     const SurfacePoint* const through = goes_on[k] ? &before_chords[next++] : nullptr;
     if (through != nullptr && chord.triangles.empty()) continue;
     if (!ends[k] || !is_seen(clip_, at_ends[k].position)) continue;
     if (through != nullptr) {
-      add(distance_from_chord(grid_, chord.ends, through->position));
+      const double distance = distance_from_chord(grid_, chord.ends, through->position);
+      found.push_back({chord.leaf, distance, true, before[next - 1]});
       continue;
     }
     const double distance = distance_from_edge(
         chord, std::span(&chord.own, chord.triangles.empty() ? 0 : 1), uv[k], at_ends[k]);
-    add(distance);
+    // Before the chord the mesh sticks out: that is no place of the surface.
+    edges.push_back({chord.leaf, distance, true});
+    if (is_beyond(chord, uv[k])) edges.back().uv = uv[k];
+    found.push_back(edges.back());
     heights.push_back({foot(chord.ends[0], chord.ends[1], at_ends[k].position), distance});
-    if ((k + 1) % kAlongLine.size() == 0) add(largest_distance(heights, ends[k - 1]));
+    if ((k + 1) % kAlongLine.size() != 0) continue;
+    found.push_back(std::ranges::max(edges, {}, &LeafDistance::distance));
+    found.back().distance = largest_distance(heights, ends[k - 1], chord.allowed);
   }
 }
 

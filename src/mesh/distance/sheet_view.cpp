@@ -140,4 +140,8 @@ double predicted_distance(std::array<Height, 3> heights) {
   return std::max({at_first, at_last, before, top_of_parabola(a, b, c), after});
 }
 
+double supported_distance(double predicted, double farthest, double allowed) {
+  return std::min(predicted, std::max(farthest / (1 - kAlongLine.front()), allowed));
+}
+
 }  // namespace saddle

@@ -65,5 +65,10 @@ double height_of_roof(const Height& first, const Height& last);
 /// The largest distance of an edge from its chord, predicted from three heights. Where a jump ends
 /// at a corner, distances grow up to the corner.
 double predicted_distance(std::array<Height, 3> heights);
+/// A predicted distance of an edge from its chord as far as what was measured supports it.
+/// `farthest`: at the places kAlongLine. An edge that goes straight from one end of the chord is
+/// 4/3 as far at the other. An edge that turns may not go on as predicted: then no more than
+/// `allowed` counts, for which a leaf with a jump is halved.
+double supported_distance(double predicted, double farthest, double allowed);
 
 }  // namespace saddle

@@ -344,7 +344,8 @@ void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
   for (const std::size_t k : others)
     boundaries.add(mesh.leaves[which[k]], which[k], triangles.of(k), mesh.allowed[which[k]]);
   for (const auto& [leaf, distance, is_at_jump, uv] : boundaries.measure()) {
-    if (distance > mesh.allowed[leaf]) mesh.sampled_errors[leaf].is_off_chord = true;
+    // A predicted distance may be as large as the tolerance.
+    if (distance >= mesh.allowed[leaf]) mesh.sampled_errors[leaf].is_off_chord = true;
     if (is_at_jump && distance > mesh.sampled_errors[leaf].distance)
       mesh.sampled_errors[leaf].on_crease = true;
     mesh.add(leaf, distance, uv);
