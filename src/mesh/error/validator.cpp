@@ -241,7 +241,9 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
     for_triangle_sides(triangles.of(k), [&](const Triangle& t, std::size_t side, bool is_diagonal) {
       const std::uint32_t a = t[side];
       const std::uint32_t b = t[(side + 1) % 3];
-      if (!is_diagonal && tree_.geometry().is_regular(a) == tree_.geometry().is_regular(b)) return;
+      const bool goes_to_point =
+          tree_.geometry().is_regular_corner(a) != tree_.geometry().is_regular_corner(b);
+      if (!is_diagonal && !goes_to_point) return;
       chords.push_back({{of.position[a], of.position[b]},
                         {of.uv[a], of.uv[b]},
                         glm::abs(size),

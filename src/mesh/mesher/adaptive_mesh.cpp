@@ -337,8 +337,8 @@ std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& requ
   grid.mesh.triangles = std::move(triangles.all);
   grid.mesh.lines =
       leaf_lines(grid, mesher.tree(), mesher.mesh().leaves, plan.line_counts.u, plan.line_counts.v);
-  const auto is_singular = [&, count = mesher.tree().vertices().size()](std::uint32_t corner) {
-    return corner >= count || !mesher.tree().geometry().is_regular(corner);
+  const auto is_singular = [&](std::uint32_t corner) {
+    return !mesher.tree().geometry().is_regular_corner(corner);
   };
   face_own_triangles(surface, request.threads, is_singular, grid.mesh);
   if (request.clip) {

@@ -78,6 +78,11 @@ class VertexGeometry {
 
   /// Whether r_u x r_v has a direction at a vertex.
   bool is_regular(std::uint32_t vertex) const { return regular_[vertex] != 0; }
+  /// The same at a corner of the mesh. One that was added for a limit of normals is at a singular
+  /// vertex.
+  bool is_regular_corner(std::uint32_t corner) const {
+    return corner < regular_.size() && is_regular(corner);
+  }
   bool has_singular() const { return std::ranges::find(regular_, 0) != regular_.end(); }
   /// The root cells around defined vertices that are not regular, and around some that were not.
   const CellMarks& singular_cells() const { return singular_cells_; }

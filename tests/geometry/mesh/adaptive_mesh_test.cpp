@@ -284,6 +284,9 @@ TEST(AdaptiveMesh, IsTheSameForAnyNumberOfThreads) {
   for (const char* z : {"sqrt(0.5-u*u-v*v)+floor(3*u+v)/4", "abs(sin(9*u)*sin(9*v))", "1/(u-v*v)",
                         "tanh(300*(u-v))+exp(-900*(u*u+v*v))"})
     surfaces.push_back(height_field(z));
+  // Singular points on both sides of a crease.
+  surfaces.push_back(
+      surface_from_text("1/sin(u)", "gamma(3*u)", "u+sin(3*v)", {0, 2, -1, 3}, {}, Order::Second));
   for (const Surface& surface : surfaces) {
     MeshRequest options = within_share(1e-3, 3);
     options.clip = Bounds{{-2, -2, -2}, {2, 2, 2}};
@@ -294,6 +297,7 @@ TEST(AdaptiveMesh, IsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one.mesh.position, three.mesh.position);
     EXPECT_EQ(one.mesh.triangles, three.mesh.triangles);
     EXPECT_EQ(one.report.max_error, three.report.max_error);
+    EXPECT_EQ(one.report.evaluations, three.report.evaluations);
     EXPECT_EQ(one.report.proved_fraction, three.report.proved_fraction);
     EXPECT_GT(three.mesh.triangles.size(), 500U);  // enough to share
   }
