@@ -668,10 +668,10 @@ std::vector<std::size_t> AdaptiveMesher::find_jumping(std::span<const std::uint3
   for (const std::uint32_t k : may_jump) {
     if (may_get_jump(mesh_.leaves[k])) leaves.insert(k);
   }
-  std::vector<Side> sides;
-  for (const std::size_t k : leaves) append_unsearched(mesh_.leaves[k], tree_, sides);
-  sort_sides(sides);
-  find_jumps(sides, trace_options(), tree_);
+  std::vector<Leaf> searched(leaves.size());
+  std::ranges::transform(leaves, searched.begin(),
+                         [this](std::size_t k) { return mesh_.leaves[k]; });
+  find_jumps(unsearched_sides(searched, request_.threads, tree_), trace_options(), tree_);
   std::vector<std::size_t> jumping;
   for (const std::size_t k : leaves) {
     Leaf& leaf = mesh_.leaves[k];
