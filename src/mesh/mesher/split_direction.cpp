@@ -84,12 +84,7 @@ bool SplitDirection::is_across_u(std::size_t number, const Oscillation& predicte
   }
   if (leaf.state.is_on_boundary()) return indicator_.splits_boundary_u(leaf);
   if (is_cut_unclearly(number)) return count_features(leaf, tree_).is_parted_along_u(leaf);
-  // Where halving across a crease or a jump has made a sliver, the error is in one of its
-  // sub-polygons.
-  const bool is_done =
-      is_sliver(leaf) && (count_features(leaf, tree_).only_creases ||
-                          length_of_cuts(leaf, tree_) <= kUnnoticed * mesh_.allowed[number]);
-  if (is_far && mesh_.sampled_errors[number].on_crease && !is_done)
+  if (is_far && mesh_.sampled_errors[number].on_crease && !is_halved_across_cuts(number))
     return is_cut_along_u(leaf, tree_);
   const CellError error = indicator_.estimate(leaf);
   const ErrorRatios ratios = is_far ? error.distance : error.turn;
@@ -100,6 +95,14 @@ bool SplitDirection::is_across_u(std::size_t number, const Oscillation& predicte
     return has_singular_side(leaf.samples, 1);
   }
   return leaf.size_u() >= leaf.size_v();
+}
+
+/// Whether halving across a crease or a jump has made a sliver: the error is in one of its
+/// sub-polygons.
+bool SplitDirection::is_halved_across_cuts(std::size_t number) const {
+  const Leaf& leaf = mesh_.leaves[number];
+  return is_sliver(leaf) && (count_features(leaf, tree_).only_creases ||
+                             length_of_cuts(leaf, tree_) <= kUnnoticed * mesh_.allowed[number]);
 }
 
 /// Whether one of a leaf's two sides along u (0) or along v (1) is singular at both ends.

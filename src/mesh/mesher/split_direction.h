@@ -27,6 +27,7 @@ class SplitDirection {
   bool is_too_small_to_see(const Leaf& leaf) const { return indicator_.is_too_small_to_see(leaf); }
 
  private:
+  bool is_halved_across_cuts(std::size_t leaf) const;
   bool has_singular_side(const SampleVertices& samples, std::size_t along) const;
 
   const CellTree& tree_;
