@@ -23,8 +23,8 @@ class CloseJumpDistance {
                     unsigned threads)
       : surface_(surface), grid_(grid), tree_(tree), threads_(threads) {}
 
-  /// Adds lines across the strips that go through a leaf. Its triangles must outlive this. False
-  /// where strips do not all go from one side to another.
+  /// Adds lines across the strips that go through a leaf. Its triangles must outlive this.
+  /// `allowed`: its tolerance. False where strips do not all go from one side to another.
   bool add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
            double allowed);
   /// Distances at the leaves that were added; several for some. A gap of less than `delta` is no
