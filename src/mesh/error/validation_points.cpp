@@ -263,7 +263,6 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
 void PointPlacer::append_singular_sides(const ValidatedMesh& mesh,
                                         std::span<const std::size_t> which,
                                         std::vector<ValidationPoint>& samples) const {
-  if (!tree_.geometry().has_singular()) return;
   const CellMarks& cells = tree_.geometry().singular_cells();
   const auto& at = grid_.mesh.uv;
   for (std::size_t k = 0; k < which.size(); ++k) {

@@ -42,12 +42,6 @@ double square_distance(const dvec3& p, const dvec3& a, const dvec3& b, const dve
   return square(p - (a + vb / sum * ab + vc / sum * ac));
 }
 
-/// Uses the nearest point of the box. GCC compiles the largest of the distances from its faces to
-/// branches, which are often mispredicted.
-double square_distance(const dvec3& p, const Bounds& box) {
-  return square(p - glm::clamp(p, box.low, box.high));
-}
-
 /// A corner that is finite, or 0: near all of them, beside how far they may be from 0.
 dvec3 finite_corner(std::span<const dvec3> position, std::span<const Triangle> triangles) {
   for (const Triangle& t : triangles) {
@@ -256,7 +250,7 @@ TriangleTree::Found TriangleTree::find_nearest(const dvec3& p, double known, dou
   std::size_t depth = 0;
   std::size_t visited = 0;
   const dvec3 local = p - origin_;
-  stack[depth++] = {0, square_distance(local, nodes_[0].box.bounds())};
+  stack[depth++] = {0, nodes_[0].box.square_distance(local)};
   while (depth > 0 && !(best <= enough * enough)) {
     const Visit visit = stack[--depth];
     if (visit.from >= best) continue;
@@ -265,7 +259,7 @@ TriangleTree::Found TriangleTree::find_nearest(const dvec3& p, double known, dou
     if (node.count > 0) {
       for (const Entry& entry : std::span(entries_).subspan(node.first, node.count)) {
         // Skips about five of six triangles.
-        if (square_distance(local, entry.box.bounds()) >= best) continue;
+        if (entry.box.square_distance(local) >= best) continue;
         const double square = square_of(entry.corners);
         if (!(square < best)) continue;
         best = square;
@@ -273,8 +267,8 @@ TriangleTree::Found TriangleTree::find_nearest(const dvec3& p, double known, dou
       }
       continue;
     }
-    Visit near = {visit.node + 1, square_distance(local, nodes_[visit.node + 1].box.bounds())};
-    Visit far = {node.first, square_distance(local, nodes_[node.first].box.bounds())};
+    Visit near = {visit.node + 1, nodes_[visit.node + 1].box.square_distance(local)};
+    Visit far = {node.first, nodes_[node.first].box.square_distance(local)};
     if (far.from < near.from) std::swap(near, far);
     stack[depth++] = far;
     stack[depth++] = near;
