@@ -92,6 +92,13 @@ std::vector<Triangle> triangles_of_others(const ValidatedMesh& mesh) {
   return triangles;
 }
 
+/// Whether the features of a leaf leave it no triangles, though it is not left out. Beside a pole
+/// they would be walls; where rounding makes the pole, they would be the surface.
+bool is_emptied(const ValidatedMesh& mesh, std::size_t leaf) {
+  const LeafState& state = mesh.leaves[leaf].state;
+  return state.is_cut_by_feature() && !state.is_left_out() && mesh.triangles.of(leaf).empty();
+}
+
 /// Measures places of left-out leaves from the triangles of the others.
 class Measurer {
  public:
@@ -128,6 +135,9 @@ class Measurer {
 
   std::vector<LeftOutLeaf> run() {
     measure();
+    std::erase_if(searched_, [this](const Searched& of) {
+      return result_[of.leaf].farthest.distance == 0;  // it is beyond the clip box
+    });
     for (int round = 0; !searched_.empty() && round < kHalvingsToNearly; ++round) search();
     return std::move(result_);
   }
@@ -208,7 +218,7 @@ std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
                                           const CellTree& tree) {
   std::vector<std::size_t> left_out;
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
-    if (mesh.leaves[k].state.is_too_small()) left_out.push_back(k);
+    if (mesh.leaves[k].state.is_too_small() || is_emptied(mesh, k)) left_out.push_back(k);
   }
   if (left_out.empty()) return {};
   const std::vector<Triangle> triangles = triangles_of_others(mesh);
@@ -217,6 +227,12 @@ std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
   for (const std::size_t k : left_out) {
     const Leaf& leaf = mesh.leaves[k];
     const ParameterBox box = tree.box(leaf);
+    if (!leaf.state.is_left_out()) {
+      // Its corners may have values of their own, beside a jump that the pole hides.
+      measurer.add(k, {});
+      measurer.add_inside(box);
+      continue;
+    }
     std::vector<Place> places = places_around(leaf, tree);
     if (!has_cut(FeatureKind::Jump, leaf, tree)) append_middles(box.size(), places);
     measurer.add(k, places);

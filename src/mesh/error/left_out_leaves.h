@@ -1,4 +1,5 @@
-// Leaves without triangles: in each of them features are too near to each other to be told apart.
+// Leaves without triangles: the features of each are too near to each other to be told apart, or
+// one is a pole's.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +20,9 @@ struct LeftOutLeaf {
   PlacedError farthest;
 };
 
-/// Measures the sheets in all leaves that are too small for triangles, where they meet the sides
-/// and half way across, and inside where a jump meets the boundary, from the other leaves'
-/// triangles. Places outside of `clip` have no error.
+/// Measures the sheets in all leaves that are too small for triangles, or that their features leave
+/// without any, where they meet the sides and half way across, and inside where a jump meets the
+/// boundary, from the other leaves' triangles. Places outside of `clip` have no error.
 std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
                                           const std::optional<Bounds>& clip, unsigned threads,
                                           const CellTree& tree);
