@@ -78,7 +78,7 @@ class ErrorIndicator {
   bool is_too_small_to_see(const Leaf& leaf) const;
 
   /// Whether to halve a leaf along u that misses a counterexample: where the surface bends more
-  /// along u there.
+  /// along u there, or the leaf is no longer than the tolerance along v alone.
   bool splits_u(const Leaf& leaf, const Counterexample& counterexample) const;
 
   /// Whether to halve a leaf that failed along u.
@@ -108,6 +108,7 @@ class ErrorIndicator {
   };
   Positions defined_positions(const SampleVertices& samples) const;
   double diameter(const Corners& corner) const;
+  dvec2 lengths_of_sides(const Leaf& leaf) const;
   bool is_regular(std::uint32_t vertex) const;
   bool has_opposed(const SampleVertices& samples) const;
   /// `vertices`: the chord's ends and the sample.
