@@ -72,6 +72,19 @@ std::vector<Place> places_around(const Leaf& leaf, const CellTree& tree) {
   return places;
 }
 
+/// Where the surface leaves the clip box on the sides of a leaf, on its way to the leaf's pole: the
+/// needle before it may be long.
+std::vector<Place> places_at_faces(const Leaf& leaf, const CellTree& tree) {
+  std::vector<Place> places;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    const auto feature = tree.edges().feature(a, b);
+    if (!feature || feature->kind != FeatureKind::Face) return;
+    for (const std::uint32_t vertex : {feature->beside_first, feature->beside_second})
+      places.push_back({tree.mesh().uv[vertex], tree.mesh().position[vertex]});
+  });
+  return places;
+}
+
 /// Adds the middles between places across the leaf from each other: a strip that crosses a leaf may
 /// be on its sides where others have triangles, and be far from them inside. Between places along
 /// a jump, the surface may have a value of its own: middles are a little aside.
@@ -218,7 +231,7 @@ std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
                                           const CellTree& tree) {
   std::vector<std::size_t> left_out;
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
-    if (mesh.leaves[k].state.is_too_small() || is_emptied(mesh, k)) left_out.push_back(k);
+    if (mesh.leaves[k].state.is_left_out() || is_emptied(mesh, k)) left_out.push_back(k);
   }
   if (left_out.empty()) return {};
   const std::vector<Triangle> triangles = triangles_of_others(mesh);
@@ -226,6 +239,10 @@ std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
   Measurer measurer(clip, threads, tree, triangles);
   for (const std::size_t k : left_out) {
     const Leaf& leaf = mesh.leaves[k];
+    if (leaf.state.is_left_out() && !leaf.state.is_too_small()) {
+      measurer.add(k, places_at_faces(leaf, tree));
+      continue;
+    }
     const ParameterBox box = tree.box(leaf);
     if (!leaf.state.is_left_out()) {
       // Its corners may have values of their own, beside a jump that the pole hides.

@@ -102,6 +102,18 @@ PointSingularity::Kind kind_of_point(const Surface& surface, const Ways& ways, d
                                                 : PointSingularity::Kind::Removable;
 }
 
+/// Where the positions go between whose bounds at two looks there are as many halvings as between
+/// the parts of kApproach.
+Bounds go_on(const std::array<Bounds, 2>& at_looks) {
+  const int halvings = std::ilogb(kApproach.front() / kApproach.back());
+  const double looks_left = static_cast<double>(kHalvingsToLeast) / halvings;
+  const auto& [before, near] = at_looks;
+  Bounds beyond = near;
+  beyond.low += looks_left * glm::min(near.low - before.low, dvec3(0));
+  beyond.high += looks_left * glm::max(near.high - before.high, dvec3(0));
+  return beyond;
+}
+
 /// Many directions all around a point, in their order.
 std::vector<dvec2> many_directions() {
   std::vector<dvec2> result;
@@ -357,6 +369,8 @@ std::vector<PointSingularity> classify_points(const Surface& surface, std::span<
     if (ways.is_open && !ways.lines.empty()) {
       singularity = {kind_of_point(surface, ways, kLimitsAgree * diagonal, threads),
                      ways.at_looks[1]};
+      if (singularity.kind == PointSingularity::Kind::Pole)
+        singularity.beyond = go_on(ways.at_looks);
       add_limits_around(surface, ways, diagonal, threads, singularity);
     } else if (ways.is_open_aslant) {
       singularity.kind = PointSingularity::Kind::Line;

@@ -112,7 +112,7 @@ class Finisher {
     for_singularities(PointSingularity::Kind::Pole,
                       [&](const dvec2& uv, const PointSingularity& singularity) {
                         poles.add(uv);
-                        report.beside_poles.add(singularity.near);
+                        report.beside_poles.add(singularity.beyond);
                       });
     report.beside_poles.add(box_beside_poles(tree_, threads));
   }
