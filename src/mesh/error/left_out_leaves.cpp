@@ -50,6 +50,17 @@ Place last_place(std::uint32_t neighbour, const EdgeFeature& feature, const Mesh
   return {mesh.uv[vertex], mesh.position[vertex]};
 }
 
+/// Whether a strip between two jumps of a side enters a leaf.
+bool has_strip(const Leaf& leaf, const CellTree& tree) {
+  bool has = false;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    const auto feature = tree.edges().feature(a, b);
+    for (std::size_t k = 0; feature && k < feature->strips; ++k)
+      has = has || is_wide_strip(*feature, k, {a, b}, tree);
+  });
+  return has;
+}
+
 /// Places of the sheets around a leaf, in their order.
 std::vector<Place> places_around(const Leaf& leaf, const CellTree& tree) {
   const std::vector<std::uint32_t> cut = cut_corners(leaf, tree);
@@ -253,8 +264,9 @@ std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
     std::vector<Place> places = places_around(leaf, tree);
     if (!has_cut(FeatureKind::Jump, leaf, tree)) append_middles(box.size(), places);
     measurer.add(k, places);
-    // Where a jump meets the boundary, sheets may end far from the sides.
-    if (leaf.state.cut() == LeafCut::BoundaryAndFeature) measurer.add_inside(box);
+    // Where a jump meets the boundary or another jump, sheets may end far from the sides.
+    if (leaf.state.cut() == LeafCut::BoundaryAndFeature || has_strip(leaf, tree))
+      measurer.add_inside(box);
   }
   return measurer.run();
 }

@@ -22,7 +22,7 @@ struct LeftOutLeaf {
 
 /// Measures the sheets in all leaves that are too small for triangles, or that their features leave
 /// without any, where they meet the sides and half way across, and inside where a jump meets the
-/// boundary, from the other leaves' triangles. Places outside of `clip` have no error.
+/// boundary or another jump, from the other leaves' triangles. Places outside of `clip` have no error.
 std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
                                           const std::optional<Bounds>& clip, unsigned threads,
                                           const CellTree& tree);
