@@ -99,12 +99,19 @@ class ErrorReporter {
     return {error, sampled.distance >= known ? mesh_.error_place(k).value_or(middle) : middle};
   }
 
-  /// Whether the error of a leaf is that of a place of the surface. Places of the mesh at its jumps
-  /// are searched for among those of its triangles.
+  /// Whether the error of a leaf is that of a place of the surface.
   bool is_of_surface(std::size_t k) const {
     const Leaf& leaf = mesh_.leaves[k];
     return mesh_.error_place(k) && !leaf.state.is_on_boundary() && !leaf.state.oscillates() &&
            !mesher_.landmarks().misses_hole(leaf);
+  }
+
+  /// Whether the error of a leaf is that of a place of the mesh beside a jump. Where more jumps
+  /// cross the leaf than the mesh has, others may be nearer to it.
+  bool is_beside_jump(std::size_t k) const {
+    const Leaf& leaf = mesh_.leaves[k];
+    return !mesh_.error_place(k) && !leaf.state.is_on_boundary() && !is_beyond_search(leaf) &&
+           has_cut(FeatureKind::Jump, leaf, tree_);
   }
 
   /// Whether a leaf is part of waves.
@@ -133,7 +140,7 @@ class ErrorReporter {
     const Leaf& leaf = mesh_.leaves[k];
     const bool is_beside_box = leaf.state.leads_to_pole() || mesher_.crosses_box(leaf);
     return is_covered(leaf) || is_of_surface(k) || has_edge(leaf) || is_wave(leaf) ||
-           (has_clip_box && is_beside_box);
+           is_beside_jump(k) || (has_clip_box && is_beside_box);
   }
 
   /// Whether the surface ends in a leaf: other leaves' triangles may be nearer to it than its own.
