@@ -23,10 +23,8 @@ namespace {
 /// Places of the mesh that are searched at most: 250 evaluations each.
 constexpr std::size_t kMostSearched = 192;
 /// The search climbs from the farthest kFirstSearched places of the mesh, in 4 rounds, if they are
-/// within 0.5 of the largest distance: a place of a side's middle may have half of the side's
-/// error.
+/// within kClimbedShare of the largest distance.
 constexpr int kClimbsOnMesh = 4;
-constexpr double kClimbedShare = 0.5;
 /// Rounds of the climb in each of many triangles.
 constexpr int kClimbsOfTriangles = 2;
 

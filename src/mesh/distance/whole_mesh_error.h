@@ -24,6 +24,10 @@ struct MeshPlace {
 inline constexpr std::array kMiddlesOfTriangle = {dvec3(1.0 / 3), dvec3(0.5, 0.5, 0),
                                                   dvec3(0, 0.5, 0.5), dvec3(0.5, 0, 0.5)};
 
+/// Searches climb from places that are farther than half of the largest distance known: the middle
+/// of a side may have half of the side's error.
+inline constexpr double kClimbedShare = 0.5;
+
 /// Twice the area of a triangle over its longest side.
 double thickness_of(const Mesh& mesh, const Triangle& t);
 

@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "base/numbers.h"
+#include "base/parallel.h"
 #include "base/random.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/sample_places.h"
@@ -123,13 +125,15 @@ bool is_emptied(const ValidatedMesh& mesh, std::size_t leaf) {
   return state.is_cut_by_feature() && !state.is_left_out() && mesh.triangles.of(leaf).empty();
 }
 
-/// Measures places of left-out leaves from the triangles of the others.
+/// Measures places of left-out leaves from the triangles of the others. Distances of less than
+/// `enough` may be any up to that: among many sheets an exact one takes a visit of most.
 class Measurer {
  public:
   Measurer(const std::optional<Bounds>& clip, unsigned threads, const CellTree& tree,
-           std::span<const Triangle> triangles)
+           std::span<const Triangle> triangles, double enough)
       : clip_(clip),
         threads_(threads),
+        enough_(enough),
         tree_(tree),
         whole_(tree.mesh().position, triangles, threads, tree.surface().tangents.count) {}
 
@@ -160,7 +164,7 @@ class Measurer {
   std::vector<LeftOutLeaf> run() {
     measure();
     std::erase_if(searched_, [this](const Searched& of) {
-      return result_[of.leaf].farthest.distance == 0;  // it is beyond the clip box
+      return result_[of.leaf].farthest.distance <= enough_;  // or beyond the clip box
     });
     for (int round = 0; !searched_.empty() && round < kHalvingsToNearly; ++round) search();
     return std::move(result_);
@@ -184,7 +188,8 @@ class Measurer {
         uv.insert(uv.end(), {there, glm::mix(there, from, kNearly)});
       }
     }
-    const std::vector<double> distances = distances_at(uv);
+    const std::vector<double> distances =
+        distances_of(evaluate_positions(tree_.surface(), uv, threads_));
     std::size_t next = 0;
     for (Searched& of : searched_) {
       PlacedError& farthest = result_[of.leaf].farthest;
@@ -198,13 +203,15 @@ class Measurer {
   }
 
   /// 0 where the surface is undefined or clipped.
-  double distance_of(const dvec3& position) const {
-    return is_seen(clip_, position) ? whole_.distance(position) : 0;
-  }
-  std::vector<double> distances_at(std::span<const dvec2> uv) const {
-    std::vector<double> distances;
-    for (const dvec3& position : evaluate_positions(tree_.surface(), uv, threads_))
-      distances.push_back(distance_of(position));
+  std::vector<double> distances_of(std::span<const dvec3> positions) const {
+    std::vector<double> distances(positions.size(), 0);
+    parallel_chunks(positions.size(), kSearchedTogether, threads_,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t k = begin; k < end; ++k) {
+                        if (is_seen(clip_, positions[k]))
+                          distances[k] = whole_.distance(positions[k], kInfinity, enough_);
+                      }
+                    });
     return distances;
   }
 
@@ -216,17 +223,19 @@ class Measurer {
   void measure() {
     std::vector<dvec2> uv(places_.size());
     std::ranges::transform(places_, uv.begin(), &Place::uv);
-    const std::vector<double> distances = distances_at(uv);
+    std::vector<dvec3> positions = evaluate_positions(tree_.surface(), uv, threads_);
+    for (std::size_t k = 0; k < places_.size(); ++k)
+      positions[k] = places_[k].position.value_or(positions[k]);
+    const std::vector<double> distances = distances_of(positions);
     for (std::size_t k = 0; k < places_.size(); ++k) {
-      const auto& at_vertex = places_[k].position;
-      const double distance = at_vertex ? distance_of(*at_vertex) : distances[k];
       PlacedError& farthest = result_[leaves_[k]].farthest;
-      if (distance > farthest.distance) farthest = {distance, uv[k]};
+      if (distances[k] > farthest.distance) farthest = {distances[k], uv[k]};
     }
   }
 
   const std::optional<Bounds>& clip_;
   unsigned threads_;
+  double enough_;
   const CellTree& tree_;
   TriangleTree whole_;
   std::vector<LeftOutLeaf> result_;
@@ -237,30 +246,13 @@ class Measurer {
 
 }  // namespace
 
-std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
-                                          const std::optional<Bounds>& clip, unsigned threads,
-                                          const CellTree& tree) {
-  std::vector<std::size_t> left_out;
+namespace {
+
+void add_too_small(const ValidatedMesh& mesh, const CellTree& tree, Measurer& measurer) {
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
-    if (mesh.leaves[k].state.is_left_out() || is_emptied(mesh, k)) left_out.push_back(k);
-  }
-  if (left_out.empty()) return {};
-  const std::vector<Triangle> triangles = triangles_of_others(mesh);
-  if (triangles.empty()) return {};
-  Measurer measurer(clip, threads, tree, triangles);
-  for (const std::size_t k : left_out) {
     const Leaf& leaf = mesh.leaves[k];
-    if (leaf.state.is_left_out() && !leaf.state.is_too_small()) {
-      measurer.add(k, places_at_faces(leaf, tree));
-      continue;
-    }
+    if (!leaf.state.is_too_small()) continue;
     const ParameterBox box = tree.box(leaf);
-    if (!leaf.state.is_left_out()) {
-      // Its corners may have values of their own, beside a jump that the pole hides.
-      measurer.add(k, {});
-      measurer.add_inside(box);
-      continue;
-    }
     std::vector<Place> places = places_around(leaf, tree);
     if (!has_cut(FeatureKind::Jump, leaf, tree)) append_middles(box.size(), places);
     measurer.add(k, places);
@@ -268,6 +260,66 @@ std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
     if (leaf.state.cut() == LeafCut::BoundaryAndFeature || has_strip(leaf, tree))
       measurer.add_inside(box);
   }
+}
+
+/// Adds the largest of the emptied leaves: beside waves there are hundreds of thousands.
+void add_emptied(const ValidatedMesh& mesh, const CellTree& tree, Measurer& measurer) {
+  std::vector<std::size_t> emptied;
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+    if (is_emptied(mesh, k)) emptied.push_back(k);
+  }
+  const auto area = [&](std::size_t k) {
+    const Leaf& leaf = mesh.leaves[k];
+    return std::uint64_t{leaf.size_u()} * leaf.size_v();
+  };
+  std::ranges::stable_sort(emptied, std::ranges::greater(), area);
+  if (emptied.size() > kMostOpen) emptied.resize(kMostOpen);
+  for (const std::size_t k : emptied) {
+    // Corners may have values of their own, beside a jump that the pole hides.
+    measurer.add(k, {});
+    measurer.add_inside(tree.box(mesh.leaves[k]));
+  }
+}
+
+void add_needles(const ValidatedMesh& mesh, const CellTree& tree, Measurer& measurer) {
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+    const Leaf& leaf = mesh.leaves[k];
+    if (leaf.state.is_left_out() && !leaf.state.is_too_small())
+      measurer.add(k, places_at_faces(leaf, tree));
+  }
+}
+
+bool is_without_triangles(const ValidatedMesh& mesh, std::size_t leaf) {
+  return mesh.leaves[leaf].state.is_left_out() || is_emptied(mesh, leaf);
+}
+
+}  // namespace
+
+std::vector<LeftOutLeaf> measure_too_small(const ValidatedMesh& mesh,
+                                           const std::optional<Bounds>& clip, unsigned threads,
+                                           const CellTree& tree) {
+  const auto is_too_small = [](const Leaf& leaf) { return leaf.state.is_too_small(); };
+  if (std::ranges::none_of(mesh.leaves, is_too_small)) return {};
+  const std::vector<Triangle> triangles = triangles_of_others(mesh);
+  if (triangles.empty()) return {};
+  Measurer measurer(clip, threads, tree, triangles, 0);
+  add_too_small(mesh, tree, measurer);
+  return measurer.run();
+}
+
+std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh, double known,
+                                          const std::optional<Bounds>& clip, unsigned threads,
+                                          const CellTree& tree) {
+  bool is_any = false;
+  for (std::size_t k = 0; k < mesh.leaves.size() && !is_any; ++k)
+    is_any = is_without_triangles(mesh, k);
+  if (!is_any) return {};
+  const std::vector<Triangle> triangles = triangles_of_others(mesh);
+  if (triangles.empty()) return {};
+  Measurer measurer(clip, threads, tree, triangles, kClimbedShare * known);
+  add_too_small(mesh, tree, measurer);
+  add_emptied(mesh, tree, measurer);
+  add_needles(mesh, tree, measurer);
   return measurer.run();
 }
 

@@ -20,10 +20,17 @@ struct LeftOutLeaf {
   PlacedError farthest;
 };
 
-/// Measures the sheets in all leaves that are too small for triangles, or that their features leave
-/// without any, where they meet the sides and half way across, and inside where a jump meets the
-/// boundary or another jump, from the other leaves' triangles. Places outside of `clip` have no error.
-std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
+/// Measures the sheets in all leaves that are too small for triangles, where they meet the sides
+/// and half way across, and inside where a jump meets the boundary or another jump, from the other
+/// leaves' triangles. Places outside of `clip` have no error.
+std::vector<LeftOutLeaf> measure_too_small(const ValidatedMesh& mesh,
+                                           const std::optional<Bounds>& clip, unsigned threads,
+                                           const CellTree& tree);
+
+/// The same, for a mesh that is done: also inside of the largest leaves that their features leave
+/// without triangles, and where needles toward poles leave the clip box. Distances of less than
+/// half of what is `known` may be too large, up to that.
+std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh, double known,
                                           const std::optional<Bounds>& clip, unsigned threads,
                                           const CellTree& tree);
 
