@@ -218,22 +218,15 @@ double ErrorIndicator::allowed(const Leaf& leaf) const {
   return ball.allowed_by(limits_.tolerance);
 }
 
-/// The longer of the two sides of a leaf along u, and of those along v, through their middles. Not
-/// finite where a sample is not.
-dvec2 ErrorIndicator::lengths_of_sides(const Leaf& leaf) const {
-  const auto& p = mesh_.position;
-  const auto& [corner, side, centre] = leaf.samples;
-  const auto length = [&](std::size_t k) {
-    return glm::distance(p[corner[k]], p[side[k]]) +
-           glm::distance(p[side[k]], p[corner[(k + 1) % 4]]);
-  };
-  return {std::max(length(0), length(2)), std::max(length(1), length(3))};
-}
-
 bool ErrorIndicator::splits_u(const Leaf& leaf, const Counterexample& counterexample) const {
   // Beside a vertical tangent bounds of the bend have no end.
-  const glm::bvec2 is_short = glm::lessThanEqual(lengths_of_sides(leaf), dvec2(allowed(leaf)));
-  if (is_short.x != is_short.y) return is_short.y;
+  const auto is_off = [&, &samples = leaf.samples, eps = allowed(leaf)](std::size_t k) {
+    const auto& p = mesh_.position;
+    const dvec3 middle = 0.5 * (p[samples.corner[k]] + p[samples.corner[(k + 1) % 4]]);
+    return glm::distance(p[samples.side[k]], middle) > eps;
+  };
+  const bool is_off_along_u = is_off(0) || is_off(2);
+  if (is_off_along_u != (is_off(1) || is_off(3))) return is_off_along_u;
   const dvec2 size =
       tree_.vertices().parameters(leaf.high()) - tree_.vertices().parameters(leaf.low);
   const dvec2 arc = size * size * counterexample.bend;

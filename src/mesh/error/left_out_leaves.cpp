@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -57,7 +58,8 @@ bool has_strip(const Leaf& leaf, const CellTree& tree) {
   bool has = false;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     const auto feature = tree.edges().feature(a, b);
-    for (std::size_t k = 0; feature && k < feature->strips; ++k)
+    if (!feature || feature->kind != FeatureKind::Jump) return;
+    for (std::size_t k = 0; k < feature->strips; ++k)
       has = has || is_wide_strip(*feature, k, {a, b}, tree);
   });
   return has;
@@ -164,7 +166,8 @@ class Measurer {
   std::vector<LeftOutLeaf> run() {
     measure();
     std::erase_if(searched_, [this](const Searched& of) {
-      return result_[of.leaf].farthest.distance <= enough_;  // or beyond the clip box
+      return result_[of.leaf].farthest.distance <=
+             enough_;  // or all is beyond the clip box, or undefined
     });
     for (int round = 0; !searched_.empty() && round < kHalvingsToNearly; ++round) search();
     return std::move(result_);
@@ -244,10 +247,6 @@ class Measurer {
   std::vector<std::size_t> leaves_;  // of each, in the result
 };
 
-}  // namespace
-
-namespace {
-
 void add_too_small(const ValidatedMesh& mesh, const CellTree& tree, Measurer& measurer) {
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
     const Leaf& leaf = mesh.leaves[k];
@@ -262,11 +261,14 @@ void add_too_small(const ValidatedMesh& mesh, const CellTree& tree, Measurer& me
   }
 }
 
-/// Adds the largest of the emptied leaves: beside waves there are hundreds of thousands.
-void add_emptied(const ValidatedMesh& mesh, const CellTree& tree, Measurer& measurer) {
+/// Adds the largest of the emptied leaves that may be seen: beside waves there are hundreds of
+/// thousands.
+void add_emptied(const ValidatedMesh& mesh, const Bounds& clip, const CellTree& tree,
+                 Measurer& measurer) {
   std::vector<std::size_t> emptied;
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
-    if (is_emptied(mesh, k)) emptied.push_back(k);
+    if (is_emptied(mesh, k) && !is_beyond(clip, corner_positions(mesh.leaves[k], tree)))
+      emptied.push_back(k);
   }
   const auto area = [&](std::size_t k) {
     const Leaf& leaf = mesh.leaves[k];
@@ -289,8 +291,28 @@ void add_needles(const ValidatedMesh& mesh, const CellTree& tree, Measurer& meas
   }
 }
 
-bool is_without_triangles(const ValidatedMesh& mesh, std::size_t leaf) {
-  return mesh.leaves[leaf].state.is_left_out() || is_emptied(mesh, leaf);
+/// Measures what `add` adds to a Measurer.
+std::vector<LeftOutLeaf> measure(const ValidatedMesh& mesh, const std::optional<Bounds>& clip,
+                                 unsigned threads, const CellTree& tree, double enough,
+                                 const std::function<void(Measurer&)>& add) {
+  const std::vector<Triangle> triangles = triangles_of_others(mesh);
+  if (triangles.empty()) return {};
+  Measurer measurer(clip, threads, tree, triangles, enough);
+  add(measurer);
+  return measurer.run();
+}
+
+bool has_too_small(const ValidatedMesh& mesh) {
+  return std::ranges::any_of(mesh.leaves,
+                             [](const Leaf& leaf) { return leaf.state.is_too_small(); });
+}
+
+/// Whether features leave any leaf without triangles.
+bool has_left_out(const ValidatedMesh& mesh) {
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+    if (mesh.leaves[k].state.is_left_out() || is_emptied(mesh, k)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -298,29 +320,21 @@ bool is_without_triangles(const ValidatedMesh& mesh, std::size_t leaf) {
 std::vector<LeftOutLeaf> measure_too_small(const ValidatedMesh& mesh,
                                            const std::optional<Bounds>& clip, unsigned threads,
                                            const CellTree& tree) {
-  const auto is_too_small = [](const Leaf& leaf) { return leaf.state.is_too_small(); };
-  if (std::ranges::none_of(mesh.leaves, is_too_small)) return {};
-  const std::vector<Triangle> triangles = triangles_of_others(mesh);
-  if (triangles.empty()) return {};
-  Measurer measurer(clip, threads, tree, triangles, 0);
-  add_too_small(mesh, tree, measurer);
-  return measurer.run();
+  if (!has_too_small(mesh)) return {};
+  return measure(mesh, clip, threads, tree, 0,
+                 [&](Measurer& measurer) { add_too_small(mesh, tree, measurer); });
 }
 
 std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh, double known,
                                           const std::optional<Bounds>& clip, unsigned threads,
                                           const CellTree& tree) {
-  bool is_any = false;
-  for (std::size_t k = 0; k < mesh.leaves.size() && !is_any; ++k)
-    is_any = is_without_triangles(mesh, k);
-  if (!is_any) return {};
-  const std::vector<Triangle> triangles = triangles_of_others(mesh);
-  if (triangles.empty()) return {};
-  Measurer measurer(clip, threads, tree, triangles, kClimbedShare * known);
-  add_too_small(mesh, tree, measurer);
-  add_emptied(mesh, tree, measurer);
-  add_needles(mesh, tree, measurer);
-  return measurer.run();
+  if (clip ? !has_left_out(mesh) : !has_too_small(mesh)) return {};
+  return measure(mesh, clip, threads, tree, kClimbedShare * known, [&](Measurer& measurer) {
+    add_too_small(mesh, tree, measurer);
+    if (!clip) return;  // what goes to infinity has no end
+    add_emptied(mesh, *clip, tree, measurer);
+    add_needles(mesh, tree, measurer);
+  });
 }
 
 }  // namespace saddle

@@ -102,8 +102,8 @@ PointSingularity::Kind kind_of_point(const Surface& surface, const Ways& ways, d
                                                 : PointSingularity::Kind::Removable;
 }
 
-/// Where the positions go between whose bounds at two looks there are as many halvings as between
-/// the parts of kApproach.
+/// Where positions go if their bounds move on as they did from the first look to the second, as
+/// many halvings of the way each time. Those of ln do; where powers come to a limit, this is beyond.
 Bounds go_on(const std::array<Bounds, 2>& at_looks) {
   const int halvings = std::ilogb(kApproach.front() / kApproach.back());
   const double looks_left = static_cast<double>(kHalvingsToLeast) / halvings;

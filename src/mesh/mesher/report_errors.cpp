@@ -48,6 +48,7 @@ class ErrorReporter {
   void report(const Surface& surface, const MeshRequest& request, const LeafTriangles& triangles,
               MeshReport& report) const {
     PlacedError worst;
+    PlacedError beside_jumps;
     std::vector<SuspectLeaf> suspects;
     for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
       const Leaf& leaf = mesh_.leaves[k];
@@ -63,6 +64,7 @@ class ErrorReporter {
       const bool is_suspect = is_far || !mesh_.is_near(k) || has_moved;
       if (is_suspect && (is_missing || may_be_near(k, request.clip.has_value()))) {
         suspects.push_back({k, error.distance, has_moved});
+        if (is_beside_jump(k) && error.distance > beside_jumps.distance) beside_jumps = error;
       } else if (is_missing || is_clipped) {
         continue;
       } else if (error.distance > worst.distance) {
@@ -78,6 +80,8 @@ class ErrorReporter {
     if (beside.distance > worst.distance) worst = beside;
     const PlacedError found = search(surface, request, suspects, at_edges, triangles);
     if (found.distance > worst.distance) worst = found;
+    // Without work for the search, places of the mesh were not looked at.
+    if (!surface.may_go_on() && beside_jumps.distance > worst.distance) worst = beside_jumps;
     report.max_error = worst.distance;
     if (worst.distance > *report.tolerance) report.worst_place = worst.uv;
   }
@@ -110,8 +114,8 @@ class ErrorReporter {
   /// cross the leaf than the mesh has, others may be nearer to it.
   bool is_beside_jump(std::size_t k) const {
     const Leaf& leaf = mesh_.leaves[k];
-    return !mesh_.error_place(k) && !leaf.state.is_on_boundary() && !is_beyond_search(leaf) &&
-           has_cut(FeatureKind::Jump, leaf, tree_);
+    return scale_of(k) == 1 && !mesh_.error_place(k) && !leaf.state.is_on_boundary() &&
+           !is_beyond_search(leaf) && has_cut(FeatureKind::Jump, leaf, tree_);
   }
 
   /// Whether a leaf is part of waves.

@@ -78,8 +78,8 @@ struct MeshReport {
   std::vector<dvec2> poles;  ///< places where the surface was cut before infinity, at most 1000
   std::size_t pole_count = 0;
   ParameterLines pole_lines;  ///< along which poles were found from end to end, by all their places
-  /// A box around the last points before poles, as far as doubles go, and around vertices so far
-  /// away that the mesh was not made (MeshRequest::stop).
+  /// A box around the last points before poles, as far as doubles go, or as they would beside 0,
+  /// and around vertices so far away that the mesh was not made (MeshRequest::stop).
   Bounds beside_poles;
   std::vector<dvec2> jumps;  ///< places of jumps, at most 1000
   std::size_t jump_count = 0;
