@@ -103,7 +103,7 @@ PointSingularity::Kind kind_of_point(const Surface& surface, const Ways& ways, d
 }
 
 /// Where positions go if their bounds move on as they did from the first look to the second, as
-/// many halvings of the way each time. Those of ln do; where powers come to a limit, this is beyond.
+/// many halvings of the way each time, as ln does. It is beyond the limit of a power.
 Bounds go_on(const std::array<Bounds, 2>& at_looks) {
   const int halvings = std::ilogb(kApproach.front() / kApproach.back());
   const double looks_left = static_cast<double>(kHalvingsToLeast) / halvings;

@@ -42,7 +42,7 @@ struct PointSingularity {
   };
   Kind kind = Kind::Region;
   Bounds near;  ///< of positions 1e-12 ranges from the point
-  /// Of a pole: where positions go, if they move on as near the point as doubles are beside 0. Even
+  /// Where positions go toward a pole, if they move on as near to it as doubles are beside 0. Even
   /// 0.04*ln(hypot(u,v)) goes far.
   Bounds beyond = {};
   /// Positions around an essential point within the domain, in the order of the ways to it.
