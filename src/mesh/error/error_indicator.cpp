@@ -218,15 +218,33 @@ double ErrorIndicator::allowed(const Leaf& leaf) const {
   return ball.allowed_by(limits_.tolerance);
 }
 
+/// The middle of a side of a leaf and its chord.
+struct ErrorIndicator::SideSample {
+  double length;  ///< of the way through the middle
+  double off;     ///< the distance of the middle from that of the chord
+};
+
+ErrorIndicator::SideSample ErrorIndicator::side(const Leaf& leaf, std::size_t k) const {
+  const dvec3& a = mesh_.position[leaf.samples.corner[k]];
+  const dvec3& b = mesh_.position[leaf.samples.corner[(k + 1) % 4]];
+  const dvec3& middle = mesh_.position[leaf.samples.side[k]];
+  return {glm::distance(a, middle) + glm::distance(middle, b),
+          glm::distance(middle, 0.5 * (a + b))};
+}
+
 bool ErrorIndicator::splits_u(const Leaf& leaf, const Counterexample& counterexample) const {
-  // Beside a vertical tangent bounds of the bend have no end.
-  const auto is_off = [&, &samples = leaf.samples, eps = allowed(leaf)](std::size_t k) {
-    const auto& p = mesh_.position;
-    const dvec3 middle = 0.5 * (p[samples.corner[k]] + p[samples.corner[(k + 1) % 4]]);
-    return glm::distance(p[samples.side[k]], middle) > eps;
+  // Beside a vertical tangent bounds of the bend have no end: a leaf is not halved along an axis
+  // along which it is shorter than the tolerance, where it is off along the other.
+  const double eps = allowed(leaf);
+  const auto is_short = [&](std::size_t k) {
+    return std::max(side(leaf, k).length, side(leaf, k + 2).length) <= eps;
   };
-  const bool is_off_along_u = is_off(0) || is_off(2);
-  if (is_off_along_u != (is_off(1) || is_off(3))) return is_off_along_u;
+  const auto is_off = [&](std::size_t k) {
+    return std::max(side(leaf, k).off, side(leaf, k + 2).off) > eps;
+  };
+  for (const std::size_t axis : {0, 1}) {
+    if (is_short(axis) && is_off(1 - axis)) return axis == 1;
+  }
   const dvec2 size =
       tree_.vertices().parameters(leaf.high()) - tree_.vertices().parameters(leaf.low);
   const dvec2 arc = size * size * counterexample.bend;

@@ -77,8 +77,8 @@ class ErrorIndicator {
   /// tolerance on the mean of its sides. A part of a sheet that is missing there is not visible.
   bool is_too_small_to_see(const Leaf& leaf) const;
 
-  /// Whether to halve a leaf along u that misses a counterexample: where the middles of sides along
-  /// u alone are off those of their chords, or else where the surface bends more along u there.
+  /// Whether to halve a leaf along u that misses a counterexample: where the surface bends more
+  /// along u there, unless the leaf is short along u already and its sides along v are off.
   bool splits_u(const Leaf& leaf, const Counterexample& counterexample) const;
 
   /// Whether to halve a leaf that failed along u.
@@ -108,6 +108,8 @@ class ErrorIndicator {
   };
   Positions defined_positions(const SampleVertices& samples) const;
   double diameter(const Corners& corner) const;
+  struct SideSample;
+  SideSample side(const Leaf& leaf, std::size_t k) const;
   bool is_regular(std::uint32_t vertex) const;
   bool has_opposed(const SampleVertices& samples) const;
   /// `vertices`: the chord's ends and the sample.
