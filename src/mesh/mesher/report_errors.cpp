@@ -64,29 +64,37 @@ class ErrorReporter {
       const bool is_suspect = is_far || !mesh_.is_near(k) || has_moved;
       if (is_suspect && (is_missing || may_be_near(k, request.clip.has_value()))) {
         suspects.push_back({k, error.distance, has_moved});
-        if (is_beside_jump(k) && error.distance > beside_jumps.distance) beside_jumps = error;
+        if (is_beside_jump(k)) take_larger(error, beside_jumps);
       } else if (is_missing || is_clipped) {
         continue;
-      } else if (error.distance > worst.distance) {
-        worst = error;
+      } else {
+        take_larger(error, worst);
       }
-      const double degrees = mesh_.sampled_errors[k].degrees;
-      if (degrees > report.max_normal_error &&
-          thickness_of(leaf, grid_, tree_) > kSeenTurn * mesh_.allowed[k])
-        report.max_normal_error = degrees;
+      take_degrees(k, report);
     }
     std::vector<PlaceInLeaf> at_edges;
     const PlacedError beside = find_at_edges(surface, request, suspects, triangles, at_edges);
-    if (beside.distance > worst.distance) worst = beside;
+    take_larger(beside, worst);
     const PlacedError found = search(surface, request, suspects, at_edges, triangles);
-    if (found.distance > worst.distance) worst = found;
+    take_larger(found, worst);
     // Without work for the search, places of the mesh were not looked at.
-    if (!surface.may_go_on() && beside_jumps.distance > worst.distance) worst = beside_jumps;
+    if (!surface.may_go_on()) take_larger(beside_jumps, worst);
     report.max_error = worst.distance;
     if (worst.distance > *report.tolerance) report.worst_place = worst.uv;
   }
 
  private:
+  static void take_larger(const PlacedError& error, PlacedError& worst) {
+    if (error.distance > worst.distance) worst = error;
+  }
+
+  void take_degrees(std::size_t k, MeshReport& report) const {
+    const double degrees = mesh_.sampled_errors[k].degrees;
+    if (degrees > report.max_normal_error &&
+        thickness_of(mesh_.leaves[k], grid_, tree_) > kSeenTurn * mesh_.allowed[k])
+      report.max_normal_error = degrees;
+  }
+
   /// A tolerance that varies: errors are scaled to the strictest one.
   double scale_of(std::size_t k) const {
     return mesh_.allowed[k] > strictest_ ? strictest_ / mesh_.allowed[k] : 1;
