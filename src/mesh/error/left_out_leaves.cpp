@@ -131,13 +131,8 @@ bool is_emptied(const ValidatedMesh& mesh, std::size_t leaf) {
 /// `enough` may be any up to that: among many sheets an exact one takes a visit of most.
 class Measurer {
  public:
-  Measurer(const std::optional<Bounds>& clip, unsigned threads, const CellTree& tree,
-           std::span<const Triangle> triangles, double enough)
-      : clip_(clip),
-        threads_(threads),
-        enough_(enough),
-        tree_(tree),
-        whole_(tree.mesh().position, triangles, threads, tree.surface().tangents.count) {}
+  Measurer(const std::optional<Bounds>& clip, unsigned threads, const CellTree& tree, double enough)
+      : clip_(clip), threads_(threads), enough_(enough), tree_(tree) {}
 
   void add(std::size_t leaf, std::span<const Place> places) {
     result_.push_back({leaf, {}});
@@ -163,11 +158,15 @@ class Measurer {
     }
   }
 
-  std::vector<LeftOutLeaf> run() {
+  std::vector<LeftOutLeaf> run(const ValidatedMesh& mesh) {
+    if (result_.empty()) return {};
+    const std::vector<Triangle> triangles = triangles_of_others(mesh);
+    if (triangles.empty()) return {};
+    whole_.emplace(tree_.mesh().position, triangles, threads_, tree_.surface().tangents.count);
     measure();
+    // Nothing is far off where all is beyond the clip box or undefined, either.
     std::erase_if(searched_, [this](const Searched& of) {
-      return result_[of.leaf].farthest.distance <=
-             enough_;  // or all is beyond the clip box, or undefined
+      return result_[of.leaf].farthest.distance <= enough_;
     });
     for (int round = 0; !searched_.empty() && round < kHalvingsToNearly; ++round) search();
     return std::move(result_);
@@ -212,7 +211,7 @@ class Measurer {
                     [&](std::size_t begin, std::size_t end) {
                       for (std::size_t k = begin; k < end; ++k) {
                         if (is_seen(clip_, positions[k]))
-                          distances[k] = whole_.distance(positions[k], kInfinity, enough_);
+                          distances[k] = whole_->distance(positions[k], kInfinity, enough_);
                       }
                     });
     return distances;
@@ -240,7 +239,7 @@ class Measurer {
   unsigned threads_;
   double enough_;
   const CellTree& tree_;
-  TriangleTree whole_;
+  std::optional<TriangleTree> whole_;  // made if there is anything to measure
   std::vector<LeftOutLeaf> result_;
   std::vector<Searched> searched_;
   std::vector<Place> places_;        // to be measured
@@ -286,33 +285,10 @@ void add_emptied(const ValidatedMesh& mesh, const Bounds& clip, const CellTree& 
 void add_needles(const ValidatedMesh& mesh, const CellTree& tree, Measurer& measurer) {
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
     const Leaf& leaf = mesh.leaves[k];
-    if (leaf.state.is_left_out() && !leaf.state.is_too_small())
-      measurer.add(k, places_at_faces(leaf, tree));
+    if (!leaf.state.is_left_out() || leaf.state.is_too_small()) continue;
+    const std::vector<Place> places = places_at_faces(leaf, tree);
+    if (!places.empty()) measurer.add(k, places);
   }
-}
-
-/// Measures what `add` adds to a Measurer.
-std::vector<LeftOutLeaf> measure(const ValidatedMesh& mesh, const std::optional<Bounds>& clip,
-                                 unsigned threads, const CellTree& tree, double enough,
-                                 const std::function<void(Measurer&)>& add) {
-  const std::vector<Triangle> triangles = triangles_of_others(mesh);
-  if (triangles.empty()) return {};
-  Measurer measurer(clip, threads, tree, triangles, enough);
-  add(measurer);
-  return measurer.run();
-}
-
-bool has_too_small(const ValidatedMesh& mesh) {
-  return std::ranges::any_of(mesh.leaves,
-                             [](const Leaf& leaf) { return leaf.state.is_too_small(); });
-}
-
-/// Whether features leave any leaf without triangles.
-bool has_left_out(const ValidatedMesh& mesh) {
-  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
-    if (mesh.leaves[k].state.is_left_out() || is_emptied(mesh, k)) return true;
-  }
-  return false;
 }
 
 }  // namespace
@@ -320,21 +296,21 @@ bool has_left_out(const ValidatedMesh& mesh) {
 std::vector<LeftOutLeaf> measure_too_small(const ValidatedMesh& mesh,
                                            const std::optional<Bounds>& clip, unsigned threads,
                                            const CellTree& tree) {
-  if (!has_too_small(mesh)) return {};
-  return measure(mesh, clip, threads, tree, 0,
-                 [&](Measurer& measurer) { add_too_small(mesh, tree, measurer); });
+  Measurer measurer(clip, threads, tree, 0);
+  add_too_small(mesh, tree, measurer);
+  return measurer.run(mesh);
 }
 
 std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh, double known,
                                           const std::optional<Bounds>& clip, unsigned threads,
                                           const CellTree& tree) {
-  if (clip ? !has_left_out(mesh) : !has_too_small(mesh)) return {};
-  return measure(mesh, clip, threads, tree, kClimbedShare * known, [&](Measurer& measurer) {
-    add_too_small(mesh, tree, measurer);
-    if (!clip) return;  // what goes to infinity has no end
+  Measurer measurer(clip, threads, tree, kClimbedShare * known);
+  add_too_small(mesh, tree, measurer);
+  if (clip) {  // else what goes to infinity has no end
     add_emptied(mesh, *clip, tree, measurer);
     add_needles(mesh, tree, measurer);
-  });
+  }
+  return measurer.run(mesh);
 }
 
 }  // namespace saddle
