@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -11,6 +12,8 @@
 #include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/random.h"
+#include "mesh/distance/nearest_triangles.h"
+#include "mesh/grid/grid.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
@@ -131,8 +134,9 @@ bool is_emptied(const ValidatedMesh& mesh, std::size_t leaf) {
 /// `enough` may be any up to that: among many sheets an exact one takes a visit of most.
 class Measurer {
  public:
-  Measurer(const std::optional<Bounds>& clip, unsigned threads, const CellTree& tree, double enough)
-      : clip_(clip), threads_(threads), enough_(enough), tree_(tree) {}
+  Measurer(const Grid& grid, const std::optional<Bounds>& clip, unsigned threads,
+           const CellTree& tree, double enough)
+      : grid_(grid), clip_(clip), threads_(threads), enough_(enough), tree_(tree) {}
 
   void add(std::size_t leaf, std::span<const Place> places) {
     result_.push_back({leaf, {}});
@@ -162,7 +166,15 @@ class Measurer {
     if (result_.empty()) return {};
     const std::vector<Triangle> triangles = triangles_of_others(mesh);
     if (triangles.empty()) return {};
-    whole_.emplace(tree_.mesh().position, triangles, threads_, tree_.surface().tangents.count);
+    // Sorting the triangles takes a pass for each level of their tree.
+    const bool is_few =
+        searched_.empty() &&
+        places_.size() <= static_cast<std::size_t>(std::bit_width(triangles.size()));
+    if (is_few) {
+      in_order_.emplace(grid_, triangles);
+    } else {
+      sorted_.emplace(tree_.mesh().position, triangles, threads_, tree_.surface().tangents.count);
+    }
     measure();
     // Nothing is far off where all is beyond the clip box or undefined, either.
     std::erase_if(searched_, [this](const Searched& of) {
@@ -210,11 +222,16 @@ class Measurer {
     parallel_chunks(positions.size(), kSearchedTogether, threads_,
                     [&](std::size_t begin, std::size_t end) {
                       for (std::size_t k = begin; k < end; ++k) {
-                        if (is_seen(clip_, positions[k]))
-                          distances[k] = whole_->distance(positions[k], kInfinity, enough_);
+                        if (is_seen(clip_, positions[k])) distances[k] = distance_of(positions[k]);
                       }
                     });
     return distances;
+  }
+
+  double distance_of(const dvec3& position) const {
+    if (sorted_) return sorted_->distance(position, kInfinity, enough_);
+    std::size_t visited = 0;
+    return in_order_->nearest(position, enough_, {}, visited).distance;
   }
 
   void take_later(std::size_t leaf, const Place& place) {
@@ -235,11 +252,13 @@ class Measurer {
     }
   }
 
+  const Grid& grid_;
   const std::optional<Bounds>& clip_;
   unsigned threads_;
   double enough_;
   const CellTree& tree_;
-  std::optional<TriangleTree> whole_;  // made if there is anything to measure
+  std::optional<TriangleTree> sorted_;        // of the triangles, if there is much to measure
+  std::optional<NearestTriangles> in_order_;  // of the same, if there is little
   std::vector<LeftOutLeaf> result_;
   std::vector<Searched> searched_;
   std::vector<Place> places_;        // to be measured
@@ -293,18 +312,18 @@ void add_needles(const ValidatedMesh& mesh, const CellTree& tree, Measurer& meas
 
 }  // namespace
 
-std::vector<LeftOutLeaf> measure_too_small(const ValidatedMesh& mesh,
+std::vector<LeftOutLeaf> measure_too_small(const ValidatedMesh& mesh, const Grid& grid,
                                            const std::optional<Bounds>& clip, unsigned threads,
                                            const CellTree& tree) {
-  Measurer measurer(clip, threads, tree, 0);
+  Measurer measurer(grid, clip, threads, tree, 0);
   add_too_small(mesh, tree, measurer);
   return measurer.run(mesh);
 }
 
-std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh, double known,
+std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh, double known, const Grid& grid,
                                           const std::optional<Bounds>& clip, unsigned threads,
                                           const CellTree& tree) {
-  Measurer measurer(clip, threads, tree, kClimbedShare * known);
+  Measurer measurer(grid, clip, threads, tree, kClimbedShare * known);
   add_too_small(mesh, tree, measurer);
   if (clip) {  // else what goes to infinity has no end
     add_emptied(mesh, *clip, tree, measurer);

@@ -13,6 +13,7 @@
 namespace saddle {
 
 class CellTree;
+struct Grid;
 
 /// A leaf without triangles, and the place of its sheets that is farthest from the mesh.
 struct LeftOutLeaf {
@@ -23,14 +24,14 @@ struct LeftOutLeaf {
 /// Measures the sheets in all leaves that are too small for triangles, where they meet the sides
 /// and half way across, and inside where a jump meets the boundary or another jump, from the other
 /// leaves' triangles. Places outside of `clip` have no error.
-std::vector<LeftOutLeaf> measure_too_small(const ValidatedMesh& mesh,
+std::vector<LeftOutLeaf> measure_too_small(const ValidatedMesh& mesh, const Grid& grid,
                                            const std::optional<Bounds>& clip, unsigned threads,
                                            const CellTree& tree);
 
 /// The same, for a mesh that is done: within a clip box, also inside of the largest leaves that
 /// their features leave without triangles, and where needles toward poles leave it. Distances of
 /// less than half of what is `known` may be too large, up to that.
-std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh, double known,
+std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh, double known, const Grid& grid,
                                           const std::optional<Bounds>& clip, unsigned threads,
                                           const CellTree& tree);
 

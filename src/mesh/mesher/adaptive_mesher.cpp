@@ -201,7 +201,7 @@ void AdaptiveMesher::complete(const LeafTriangles& triangles, MeshReport& report
   if (!request_.clip) leave_flat_unproved(triangles);
   landmarks_.complete(triangles.all, report.tolerance.value_or(0), report);
   for (const auto& [k, farthest] :
-       measure_left_out(mesh_, report.max_error, request_.clip, request_.threads, tree_)) {
+       measure_left_out(mesh_, report.max_error, grid_, request_.clip, request_.threads, tree_)) {
     if (farthest.distance > std::max(report.max_error, mesh_.allowed[k]))
       report.worst_place = farthest.uv;
     report.max_error = std::max(report.max_error, farthest.distance);
@@ -462,7 +462,7 @@ std::vector<Leaf> AdaptiveMesher::halve_missed() {
   std::vector<std::size_t> missed;
   std::vector<Leaf> halves;
   for (const auto& [k, farthest] :
-       measure_too_small(mesh_, request_.clip, request_.threads, tree_)) {
+       measure_too_small(mesh_, grid_, request_.clip, request_.threads, tree_)) {
     const double size = 0.5 * border_of_pieces(mesh_.leaves[k], tree_).value_or(0);
     if (farthest.distance + size <= mesh_.allowed[k] || stop_if_full()) continue;
     const auto both = halve_cut(k);
