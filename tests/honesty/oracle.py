@@ -13,6 +13,8 @@ NEIGHBOURS = 12
 BROAD, NARROW = 14, 4
 # Shares of a way toward a wall: nearly all doubles that a wall at 0 may have.
 TOWARD_WALL = np.concatenate([[0], 10.0 ** np.linspace(-300, -18, 120), 10.0 ** np.linspace(-17, 0, 70)])
+# Places of a line that is searched for where the surface leaps.
+LINE_PLACES = 65
 # Distances up to this share of the unit are not searched for smaller ones.
 ENOUGH = 0.85
 
@@ -299,25 +301,54 @@ class Oracle:
         return best, at
 
     def beside_walls(self, points, st, corners):
-        """Least distances to the surface where one parameter alone comes ever closer to 0, or to that
-        of a corner of a place's triangle. Beside a pole, as that of u/cbrt(v) or v*ln(u), the surface
-        is a wall that is much thinner than steps in the unit square of parameters may be."""
+        """Least distances to the surface where one parameter alone comes ever closer to 0, to that of a
+        corner of a place's triangle, or to where the surface leaps most about the triangle. Beside a
+        pole, as that of u/cbrt(v), v*ln(u) or v^2*tan(u), the surface is a wall that is much thinner
+        than steps in the unit square of parameters may be."""
         uv = np.stack(self.surface.uv(st), axis=-1)
         rows = np.arange(len(points))[:, None]
         best = np.full(len(points), np.inf)
         for axis in (0, 1):
-            for corner in corners[:, :, axis].T:
-                for to, start in ((np.zeros_like(corner), corner), (corner, uv[:, axis])):
-                    line = np.repeat(uv[:, None], len(TOWARD_WALL), axis=1)
-                    line[:, :, axis] = to[:, None] + TOWARD_WALL * (start - to)[:, None]
-                    values = self._at_uv(line)
-                    pairs = [line[:, 1:], line[:, :-1], values[:, 1:], values[:, :-1]]
-                    near = self._to_segments(points[:, None], *pairs[2:])
-                    chosen = np.argsort(near, axis=1)[:, :NARROW]
-                    got, _, _ = self._halve(points[:, None], *(array[rows, chosen] for array in pairs),
-                                            40, self._at_uv)
-                    best = np.minimum(best, got.min(axis=1))
+            ends = [(np.zeros(len(points)), corner) for corner in corners[:, :, axis].T]
+            ends += [(corner, uv[:, axis]) for corner in corners[:, :, axis].T]
+            around = self._around(st, axis, corners[:, :, axis])
+            ends += [(leap, end) for leap in self._leap(uv, axis, around) for end in around]
+            for to, start in ends:
+                line = np.repeat(uv[:, None], len(TOWARD_WALL), axis=1)
+                line[:, :, axis] = to[:, None] + TOWARD_WALL * (start - to)[:, None]
+                values = self._at_uv(line)
+                pairs = [line[:, 1:], line[:, :-1], values[:, 1:], values[:, :-1]]
+                near = self._to_segments(points[:, None], *pairs[2:])
+                chosen = np.argsort(near, axis=1)[:, :NARROW]
+                got, _, _ = self._halve(points[:, None], *(array[rows, chosen] for array in pairs),
+                                        40, self._at_uv)
+                best = np.minimum(best, got.min(axis=1))
         return best
+
+    def _around(self, st, axis, corners):
+        """The least and the largest value of one parameter at a triangle's corners, and half as much
+        beyond them within the domain."""
+        low, high = corners.min(axis=1), corners.max(axis=1)
+        ends = np.repeat(st[:, None], 2, axis=1)
+        ends[:, :, axis] = [0, 1]
+        of_domain = self.surface.uv(ends)[axis]
+        return np.maximum(1.5 * low - 0.5 * high, of_domain[:, 0]), \
+            np.minimum(1.5 * high - 0.5 * low, of_domain[:, 1])
+
+    def _leap(self, uv, axis, around):
+        """The neighbouring values of one parameter between which the surface changes most."""
+        line = np.repeat(uv[:, None], LINE_PLACES, axis=1)
+        line[:, :, axis] = np.linspace(*around, LINE_PLACES, axis=1)
+        values = self._at_uv(line)
+        rows = np.arange(len(uv))
+        most = where.gap(values[:, 1:], values[:, :-1]).argmax(axis=1)
+        a, b = line[rows, most], line[rows, most + 1]
+        for _ in range(60):
+            middle = (a + b) / 2
+            ra, rm, rb = self._at_uv(a), self._at_uv(middle), self._at_uv(b)
+            left = (where.gap(ra, rm) >= where.gap(rm, rb))[:, None]
+            a, b = np.where(left, a, middle), np.where(left, middle, b)
+        return a[:, axis], b[:, axis]
 
     def _at_uv(self, uv):
         with np.errstate(all="ignore"):

@@ -103,6 +103,18 @@ class OracleTest(unittest.TestCase):
         ridge = Surface(["z=exp(-((u-0.3333)/1e-6)^2)"])
         self.assertAlmostEqual(errors(ridge, plane, self.unit)[0] * self.unit, 1, delta=1e-3)
 
+    def test_climbs_a_pole_but_no_jump(self):
+        _, mesh = grid_mesh(["z=0"], EVEN, EVEN)
+        around = np.array([[[0.7854, -0.01], [0.7855, -0.01], [0.7854, 0.01]]])
+        for formula, expected in {"z=tan(2*u)*v^2": 0, "z=u<pi/4?0:-4": 2}.items():
+            with self.subTest(formula):
+                surface = Surface([formula])
+                oracle = Oracle(surface, mesh, self.unit, None, 0)
+                uv = np.array([[0.78545, -3e-4]])
+                point = np.array([[math.pi / 4, -3e-4, -2]])
+                distance = oracle.beside_walls(point, surface.st(uv), around)[0]
+                self.assertAlmostEqual(distance, expected, delta=1e-4)
+
     def test_leaves_out_places_beyond_the_clip(self):
         _, plane = grid_mesh(["z=0"], EVEN, EVEN)
         step = Surface(["z=u>0.1?5:0"])
