@@ -49,9 +49,11 @@ void FaceDistance::for_cuts(const Triangle& t, const auto& act) const {
   });
 }
 
-void FaceDistance::add(std::size_t leaf, std::span<const Triangle> triangles) {
+void FaceDistance::add(std::size_t leaf, bool is_at_edge, std::span<const Triangle> triangles) {
   for (const Triangle& t : triangles) {
-    for_cuts(t, [&](const Face& face, const CutSides& cut) { add_cut(leaf, t, face, cut); });
+    for_cuts(t, [&](const Face& face, const CutSides& cut) {
+      add_cut({leaf, is_at_edge}, t, face, cut);
+    });
   }
 }
 
@@ -75,20 +77,24 @@ std::optional<FaceDistance::CutSides> FaceDistance::sides_of_cut(const Triangle&
 }
 
 /// Adds the cut of a triangle by a face, if it is not beyond the box's other faces.
-void FaceDistance::add_cut(std::size_t leaf, const Triangle& t, const Face& face,
+void FaceDistance::add_cut(const CutLeaf& leaf, const Triangle& t, const Face& face,
                            const CutSides& found) {
   if (is_beyond(clip_, found.ends)) return;
   const Mesh& mesh = grid_.mesh;
   const ParameterBox around = box_around({mesh.uv[t[0]], mesh.uv[t[1]], mesh.uv[t[2]]});
-  Cut cut{leaf, face, around.size(), found.ends, {}};
+  Cut cut{leaf.number, face, around.size(), found.ends, {}};
   for (std::size_t k = 0; k < 2; ++k) {
     const std::uint32_t a = t[found.sides[k]];
     const std::uint32_t b = t[(found.sides[k] + 1) % 3];
     const auto height = [&](std::uint32_t end) {
       return mesh.position[end][face.axis] - face.limit;
     };
-    cut.sides[k] =
-        number_of(crossing_of({mesh.uv[a], mesh.uv[b]}, {height(a), height(b)}, face), leaf);
+    const dvec2& opposite = mesh.uv[t[(found.sides[k] + 2) % 3]];
+    // Rounding may put the places of a chord on either sheet beside it.
+    const double inward = leaf.is_at_edge ? kNearly : 0;
+    const Line line = {glm::mix(mesh.uv[a], opposite, inward),
+                       glm::mix(mesh.uv[b], opposite, inward)};
+    cut.sides[k] = number_of(crossing_of(line, {height(a), height(b)}, face), leaf.number);
   }
   cuts_.push_back(cut);
 }

@@ -19,8 +19,9 @@ class FaceDistance {
   FaceDistance(const Surface& surface, const Grid& grid, const Bounds& clip, unsigned threads)
       : surface_(surface), grid_(grid), clip_(clip), threads_(threads) {}
 
-  /// Adds the triangles of a leaf. Skips those that no face of the box cuts.
-  void add(std::size_t leaf, std::span<const Triangle> triangles);
+  /// Adds the triangles of a leaf, in which sheets may end. Skips those that no face of the box
+  /// cuts.
+  void add(std::size_t leaf, bool is_at_edge, std::span<const Triangle> triangles);
 
   /// Adds to the mesh the distances of the surface's lines from the cuts of the leaves' triangles:
   /// on the sides of the triangles and between them. `triangles`: of the leaves `which`, in place
@@ -79,7 +80,12 @@ class FaceDistance {
   void for_faces(const auto& act) const;
   void for_cuts(const Triangle& t, const auto& act) const;
   std::optional<CutSides> sides_of_cut(const Triangle& t, const Face& face) const;
-  void add_cut(std::size_t leaf, const Triangle& t, const Face& face, const CutSides& found);
+  /// A leaf, and whether sheets may end in it.
+  struct CutLeaf {
+    std::size_t number;
+    bool is_at_edge;
+  };
+  void add_cut(const CutLeaf& leaf, const Triangle& t, const Face& face, const CutSides& found);
   static Crossing crossing_of(Line line, std::array<double, 2> heights, const Face& face);
   std::size_t number_of(const Crossing& crossing, std::size_t leaf);
   void find(std::vector<Crossing>& crossings);

@@ -59,8 +59,10 @@ ValidationCost validate_in_chunks(const Surface& surface, const Grid& grid, cons
   FaceDistance faces(surface, grid, *limits.clip, limits.threads);
   for (std::size_t k = 0; k < which.size(); ++k) {
     const auto of_leaf = triangles.of(k);
-    const bool may_be_off = mesh.leaves[which[k]].state.may_be_halved() && mesh.is_near(which[k]);
-    if (may_be_off && reach_outside(limits.clip, grid.mesh, of_leaf)) faces.add(which[k], of_leaf);
+    const LeafState& state = mesh.leaves[which[k]].state;
+    const bool may_be_off = state.may_be_halved() && mesh.is_near(which[k]);
+    if (may_be_off && reach_outside(limits.clip, grid.mesh, of_leaf))
+      faces.add(which[k], state.is_cut_by_feature(), of_leaf);
   }
   faces.measure(mesh, which, triangles);
   cost.evaluations += faces.evaluations();

@@ -283,13 +283,13 @@ void leave_out_needles(const CellLimits& limits, const CellTree& tree, Validated
 
 bool is_clipped(const Leaf& leaf, const std::optional<Bounds>& clip, const CellTree& tree) {
   if (!clip || !is_beyond(*clip, corner_positions(leaf, tree))) return false;
-  // On its way to a pole the surface may cross the box between corners beyond one face. Its cuts
-  // are in the box then.
+  // On its way to a pole the surface may cross the box between corners beyond one face, and beside
+  // a jump it may be in it. Its cuts are in the box then.
   const auto& position = tree.mesh().position;
   bool is_seen = false;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     const std::optional<EdgeFeature> cut = tree.edges().feature(a, b);
-    if (!cut || cut->kind != FeatureKind::Face) return;
+    if (!cut || (cut->kind != FeatureKind::Face && cut->kind != FeatureKind::Jump)) return;
     is_seen = is_seen || clip->contains(position[cut->beside_first]) ||
               clip->contains(position[cut->beside_second]);
   });
