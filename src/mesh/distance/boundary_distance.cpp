@@ -33,14 +33,8 @@ std::span<const double> places_on_edge(bool is_at_face) {
 
 void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
                            std::span<const Triangle> triangles, double allowed) {
-  if (reach_outside(clip_, grid_.mesh, triangles)) {
-    // Chords may be beyond the box. They count on the way to a pole, where the edge may be in it.
-    if (!has_cut(FeatureKind::Face, leaf, tree_) || leaf.state.cut() != LeafCut::Boundary) return;
-    const std::size_t first = chords_.size();
-    add_chords(leaf, number, triangles, FeatureKind::Boundary, allowed);
-    for (EdgeChord& chord : std::span(chords_).subspan(first)) chord.is_outward = true;
-    return;
-  }
+  if (reach_outside(clip_, grid_.mesh, triangles))
+    return add_across_face(leaf, number, triangles, allowed);
   const bool is_cut = leaf.state.is_cut_by_feature();
   if (is_cut && has_cut(FeatureKind::Cliff, leaf, tree_)) {
     delta_ = std::min(delta_, allowed);
@@ -63,6 +57,25 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
   } else {
     add_chords(leaf, number, triangles, FeatureKind::Boundary, allowed);
   }
+}
+
+/// Adds a leaf that the clip box cuts. Chords may be beyond the box. Those of boundaries count on
+/// the way to a pole, where the edge may be in it.
+void BoundaryDistance::add_across_face(const Leaf& leaf, std::size_t number,
+                                       std::span<const Triangle> triangles, double allowed) {
+  const bool has_face = has_cut(FeatureKind::Face, leaf, tree_);
+  const auto add_outward = [&](FeatureKind kind, std::vector<EdgeChord>& chords) {
+    const std::size_t first = chords.size();
+    add_chords(leaf, number, triangles, kind, allowed);
+    for (EdgeChord& chord : std::span(chords).subspan(first)) chord.is_outward = true;
+  };
+  if (has_face && leaf.state.cut() == LeafCut::Boundary)
+    add_outward(FeatureKind::Boundary, chords_);
+  if (has_face || !has_cut(FeatureKind::Jump, leaf, tree_) || leaf.state.leads_to_pole() ||
+      has_cut(FeatureKind::Pole, leaf, tree_))
+    return;
+  delta_ = std::min(delta_, allowed);
+  add_outward(FeatureKind::Jump, jumps_);
 }
 
 void BoundaryDistance::add_omitted(const Leaf& leaf, std::size_t number, double allowed,

@@ -41,8 +41,8 @@ class BoundaryDistance {
         omitted_(surface, tree, clip, threads) {}
 
   /// Adds a leaf with its triangles, which must outlive this, and its tolerance. Skips leaves
-  /// without a boundary or a jump, those that lead to a pole, and those that cross the clip box
-  /// elsewhere than beside a pole.
+  /// without a boundary or a jump, those that lead to a pole, and those with a boundary that cross
+  /// the clip box elsewhere than beside a pole.
   void add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
            double allowed);
 
@@ -68,7 +68,8 @@ class BoundaryDistance {
     /// Where the way goes on in the next leaf, if no corner of the sheet is on the side between.
     std::optional<dvec2> outside;
     bool is_at_face;  ///< of a leaf that ends on the box beside a pole
-    /// Whether only an edge beyond the chord counts, as the chord may leave the clip box.
+    /// Whether only an edge beyond the chord counts, as the chord may leave the clip box. At a jump
+    /// what is in the box counts.
     bool is_outward = false;
     bool is_at_cliff = false;
     bool is_at_slight_jump = false;
@@ -76,6 +77,8 @@ class BoundaryDistance {
     std::optional<std::uint32_t> aslant_from = {};
     bool is_beside_middle = false;  ///< looks for a corner: a rim that rounding moves has none
   };
+  void add_across_face(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
+                       double allowed);
   void add_chords(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
                   FeatureKind kind, double allowed);
   /// A side of a triangle, its corner across, and the way from that straight to the side.
@@ -108,7 +111,7 @@ class BoundaryDistance {
   void follow_outside(std::span<const std::array<dvec2, 2>> ways, std::vector<dvec2>& ends) const;
   std::vector<std::optional<SheetEnd>> ends_of_sheets();
   bool has_slight_jump(const Leaf& leaf, double allowed) const;
-  void end_at_jumps(std::span<const std::size_t> numbers, double least,
+  void end_at_jumps(std::span<const std::size_t> numbers, const SheetEndSearch& search,
                     std::vector<std::optional<SheetEnd>>& ends);
   void end_at_cliffs(std::span<const std::size_t> numbers,
                      std::vector<std::optional<SheetEnd>>& ends);

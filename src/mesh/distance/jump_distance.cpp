@@ -123,17 +123,24 @@ void BoundaryDistance::add_edges_on_sides(const Leaf& leaf, std::size_t number, 
 std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_of_sheets() {
   std::vector<std::size_t> at_jumps;
   std::vector<std::size_t> at_slight_jumps;
+  std::vector<std::size_t> across_faces;
   std::vector<std::size_t> at_cliffs;
   for (std::size_t k = 0; k < jumps_.size(); ++k) {
     const EdgeChord& chord = jumps_[k];
     (chord.is_at_cliff         ? at_cliffs
+     : chord.is_outward        ? across_faces
      : chord.is_at_slight_jump ? at_slight_jumps
                                : at_jumps)
         .push_back(k);
   }
   std::vector<std::optional<SheetEnd>> ends(jumps_.size());
-  if (!at_jumps.empty()) end_at_jumps(at_jumps, delta_, ends);
-  if (!at_slight_jumps.empty()) end_at_jumps(at_slight_jumps, kLeastJump * delta_, ends);
+  const auto end_some = [&](std::span<const std::size_t> numbers, double least,
+                            const std::optional<Bounds>& box) {
+    if (!numbers.empty()) end_at_jumps(numbers, {least, kHalvingsToNearly, box}, ends);
+  };
+  end_some(at_jumps, delta_, clip_);
+  end_some(at_slight_jumps, kLeastJump * delta_, clip_);
+  end_some(across_faces, delta_, std::nullopt);
   if (!at_cliffs.empty()) end_at_cliffs(at_cliffs, ends);
   return ends;
 }
@@ -152,14 +159,13 @@ bool BoundaryDistance::has_slight_jump(const Leaf& leaf, double allowed) const {
   return has;
 }
 
-/// Follows ways that leave their leaf where the next one has nothing of the sheet. A gap of less
-/// than `least` is no jump.
-void BoundaryDistance::end_at_jumps(std::span<const std::size_t> numbers, double least,
+/// Follows ways that leave their leaf where the next one has nothing of the sheet.
+void BoundaryDistance::end_at_jumps(std::span<const std::size_t> numbers,
+                                    const SheetEndSearch& search,
                                     std::vector<std::optional<SheetEnd>>& ends) {
   std::vector<Line> ways;
   for (const std::size_t k : numbers) ways.push_back({jumps_[k].opposite, jumps_[k].beyond});
-  const auto found =
-      sheet_ends(surface_, ways, {least, kHalvingsToNearly, clip_}, threads_, looks_);
+  const auto found = sheet_ends(surface_, ways, search, threads_, looks_);
   std::vector<std::size_t> open;
   std::vector<Line> outside;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -169,8 +175,7 @@ void BoundaryDistance::end_at_jumps(std::span<const std::size_t> numbers, double
     open.push_back(k);
     outside.push_back({jumps_[k].beyond, *jumps_[k].outside});
   }
-  const auto more =
-      sheet_ends(surface_, outside, {least, kHalvingsToNearly, clip_}, threads_, looks_);
+  const auto more = sheet_ends(surface_, outside, search, threads_, looks_);
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (more[i] && more[i]->kind == SheetEnd::Kind::Jump) ends[open[i]] = more[i];
   }
@@ -216,7 +221,8 @@ void BoundaryDistance::measure_jumps(std::vector<LeafDistance>& found) {
       edges.clear();
     }
     const SurfacePoint* const through = goes_on[k] ? &before_chords[next++] : nullptr;
-    if (through != nullptr && chord.triangles.empty()) continue;
+    if (through != nullptr && (chord.triangles.empty() || !is_seen(clip_, through->position)))
+      continue;
     if (!ends[k] || !is_seen(clip_, at_ends[k].position)) continue;
     if (through != nullptr) {
       const double distance = distance_from_chord(grid_, chord.ends, through->position);
