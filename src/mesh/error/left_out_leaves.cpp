@@ -280,13 +280,16 @@ void add_too_small(const ValidatedMesh& mesh, const CellTree& tree, Measurer& me
 }
 
 /// Adds the largest of the emptied leaves that may be seen: beside waves there are hundreds of
-/// thousands.
-void add_emptied(const ValidatedMesh& mesh, const Bounds& clip, const CellTree& tree,
+/// thousands. Without a clip box, what goes to infinity has no end.
+void add_emptied(const ValidatedMesh& mesh, const std::optional<Bounds>& clip, const CellTree& tree,
                  Measurer& measurer) {
+  const auto may_be_seen = [&](const Leaf& leaf) {
+    return clip ? !is_beyond(*clip, corner_positions(leaf, tree))
+                : !has_cut(FeatureKind::Pole, leaf, tree);
+  };
   std::vector<std::size_t> emptied;
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
-    if (is_emptied(mesh, k) && !is_beyond(clip, corner_positions(mesh.leaves[k], tree)))
-      emptied.push_back(k);
+    if (is_emptied(mesh, k) && may_be_seen(mesh.leaves[k])) emptied.push_back(k);
   }
   const auto area = [&](std::size_t k) {
     const Leaf& leaf = mesh.leaves[k];
@@ -325,10 +328,8 @@ std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh, double know
                                           const CellTree& tree) {
   Measurer measurer(grid, clip, threads, tree, kClimbedShare * known);
   add_too_small(mesh, tree, measurer);
-  if (clip) {  // else what goes to infinity has no end
-    add_emptied(mesh, *clip, tree, measurer);
-    add_needles(mesh, tree, measurer);
-  }
+  add_emptied(mesh, clip, tree, measurer);
+  if (clip) add_needles(mesh, tree, measurer);
   return measurer.run(mesh);
 }
 
