@@ -253,10 +253,12 @@ NonsmoothPoints find_nonsmooth_points(const Surface& surface, double diagonal, u
   NonsmoothPoints rough;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     const auto& [uv, defined] = candidates[k];
-    // A vertex with a position would have any of those around the point.
-    if (singularities[k].kind == PointSingularity::Kind::Essential && defined == 0)
-      rough.without_limit.push_back(uv);
-    if (singularities[k].kind != PointSingularity::Kind::Removable) continue;
+    using enum PointSingularity::Kind;
+    const PointSingularity::Kind kind = singularities[k].kind;
+    // A vertex with a position would have any of those around the point. A pole on a line of jumps,
+    // as of sign(v) + 1/hypot(u, v), has no leaf to itself.
+    if ((kind == Essential || kind == Pole) && defined == 0) rough.without_limit.push_back(uv);
+    if (kind != Removable) continue;
     const bool lacks_tangents = defined == 1 || defined == 2;
     if (defined == 3 && is_at_edge(uv, box_of(surface.domain))) continue;
     if (lacks_tangents || normals_around(surface, uv).size() > 1) rough.conical.push_back(uv);

@@ -11,7 +11,7 @@ struct NonsmoothPoints {
   /// Conical points: the surface is defined or has a limit there, and a different normal on each
   /// side, as at the apex of z = hypot(u, v).
   std::vector<dvec2> conical;
-  std::vector<dvec2> without_limit;  ///< PointSingularity::Kind::Essential
+  std::vector<dvec2> without_limit;  ///< PointSingularity::Kind::Essential and Pole
 };
 
 /// The points to which boxes shrink in which bounds do not prove tangents to be continuous, but
