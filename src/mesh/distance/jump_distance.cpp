@@ -123,26 +123,38 @@ void BoundaryDistance::add_edges_on_sides(const Leaf& leaf, std::size_t number, 
 std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_of_sheets() {
   std::vector<std::size_t> at_jumps;
   std::vector<std::size_t> at_slight_jumps;
-  std::vector<std::size_t> across_faces;
   std::vector<std::size_t> at_cliffs;
   for (std::size_t k = 0; k < jumps_.size(); ++k) {
     const EdgeChord& chord = jumps_[k];
     (chord.is_at_cliff         ? at_cliffs
-     : chord.is_outward        ? across_faces
      : chord.is_at_slight_jump ? at_slight_jumps
                                : at_jumps)
         .push_back(k);
   }
   std::vector<std::optional<SheetEnd>> ends(jumps_.size());
-  const auto end_some = [&](std::span<const std::size_t> numbers, double least,
-                            const std::optional<Bounds>& box) {
-    if (!numbers.empty()) end_at_jumps(numbers, {least, kHalvingsToNearly, box}, ends);
-  };
-  end_some(at_jumps, delta_, clip_);
-  end_some(at_slight_jumps, kLeastJump * delta_, clip_);
-  end_some(across_faces, delta_, std::nullopt);
+  if (!at_jumps.empty()) end_at_jumps(at_jumps, delta_, ends);
+  if (!at_slight_jumps.empty()) end_at_jumps(at_slight_jumps, kLeastJump * delta_, ends);
   if (!at_cliffs.empty()) end_at_cliffs(at_cliffs, ends);
+  drop_at_faces(ends);
   return ends;
+}
+
+/// Drops the ends of ways across chords that may leave the clip box, where sheets end on its faces,
+/// and of ways that begin beyond it: beside a pole, steep parts would be taken for gaps.
+void BoundaryDistance::drop_at_faces(std::vector<std::optional<SheetEnd>>& ends) {
+  std::vector<std::size_t> outward;
+  std::vector<dvec2> starts;
+  for (std::size_t k = 0; k < jumps_.size(); ++k) {
+    if (!jumps_[k].is_outward) continue;
+    outward.push_back(k);
+    starts.push_back(jumps_[k].opposite);
+  }
+  if (outward.empty()) return;
+  const std::vector<bool> seen = are_seen(starts);
+  for (std::size_t i = 0; i < outward.size(); ++i) {
+    std::optional<SheetEnd>& end = ends[outward[i]];
+    if (!seen[i] || (end && end->kind == SheetEnd::Kind::Boundary)) end.reset();
+  }
 }
 
 /// Whether a jump on the sides of a leaf is so small that its line may end in the leaf.
@@ -159,12 +171,13 @@ bool BoundaryDistance::has_slight_jump(const Leaf& leaf, double allowed) const {
   return has;
 }
 
-/// Follows ways that leave their leaf where the next one has nothing of the sheet.
-void BoundaryDistance::end_at_jumps(std::span<const std::size_t> numbers,
-                                    const SheetEndSearch& search,
+/// Follows ways that leave their leaf where the next one has nothing of the sheet. A gap of less
+/// than `least` is no jump.
+void BoundaryDistance::end_at_jumps(std::span<const std::size_t> numbers, double least,
                                     std::vector<std::optional<SheetEnd>>& ends) {
   std::vector<Line> ways;
   for (const std::size_t k : numbers) ways.push_back({jumps_[k].opposite, jumps_[k].beyond});
+  const SheetEndSearch search{least, kHalvingsToNearly, clip_};
   const auto found = sheet_ends(surface_, ways, search, threads_, looks_);
   std::vector<std::size_t> open;
   std::vector<Line> outside;
