@@ -111,7 +111,7 @@ class BoundaryDistance {
   void follow_outside(std::span<const std::array<dvec2, 2>> ways, std::vector<dvec2>& ends) const;
   std::vector<std::optional<SheetEnd>> ends_of_sheets();
   bool has_slight_jump(const Leaf& leaf, double allowed) const;
-  void drop_at_faces(std::vector<std::optional<SheetEnd>>& ends);
+  void check_at_faces(std::vector<std::optional<SheetEnd>>& ends);
   void end_at_jumps(std::span<const std::size_t> numbers, double least,
                     std::vector<std::optional<SheetEnd>>& ends);
   void end_at_cliffs(std::span<const std::size_t> numbers,

@@ -135,13 +135,14 @@ std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_of_sheets() {
   if (!at_jumps.empty()) end_at_jumps(at_jumps, delta_, ends);
   if (!at_slight_jumps.empty()) end_at_jumps(at_slight_jumps, kLeastJump * delta_, ends);
   if (!at_cliffs.empty()) end_at_cliffs(at_cliffs, ends);
-  drop_at_faces(ends);
+  check_at_faces(ends);
   return ends;
 }
 
 /// Drops the ends of ways across chords that may leave the clip box, where sheets end on its faces,
-/// and of ways that begin beyond it: beside a pole, steep parts would be taken for gaps.
-void BoundaryDistance::drop_at_faces(std::vector<std::optional<SheetEnd>>& ends) {
+/// and of ways that begin beyond it: beside a pole, steep parts would be taken for gaps. They hide
+/// gaps, too: others are looked for before those that were found.
+void BoundaryDistance::check_at_faces(std::vector<std::optional<SheetEnd>>& ends) {
   std::vector<std::size_t> outward;
   std::vector<dvec2> starts;
   for (std::size_t k = 0; k < jumps_.size(); ++k) {
@@ -154,6 +155,24 @@ void BoundaryDistance::drop_at_faces(std::vector<std::optional<SheetEnd>>& ends)
   for (std::size_t i = 0; i < outward.size(); ++i) {
     std::optional<SheetEnd>& end = ends[outward[i]];
     if (!seen[i] || (end && end->kind == SheetEnd::Kind::Boundary)) end.reset();
+  }
+  const auto is_at_jump = [&](std::size_t k) {
+    return ends[k] && ends[k]->kind == SheetEnd::Kind::Jump;
+  };
+  for (;;) {
+    std::erase_if(outward, [&](std::size_t k) { return !is_at_jump(k); });
+    if (outward.empty()) return;
+    std::vector<Line> ways;
+    for (const std::size_t k : outward) ways.push_back({jumps_[k].opposite, ends[k]->uv});
+    const auto before =
+        sheet_ends(surface_, ways, {delta_, kHalvingsToNearly, clip_}, threads_, looks_);
+    std::vector<std::size_t> moved;
+    for (std::size_t i = 0; i < outward.size(); ++i) {
+      if (!before[i] || before[i]->kind != SheetEnd::Kind::Jump) continue;
+      ends[outward[i]] = before[i];
+      moved.push_back(outward[i]);
+    }
+    outward = std::move(moved);
   }
 }
 
