@@ -68,10 +68,30 @@ bool has_strip(const Leaf& leaf, const CellTree& tree) {
   return has;
 }
 
+/// Vertices that a side without features leads to from such a one: both may be on a line with
+/// values of its own, as that of sign(u)*sign(v) at v=0.
+std::vector<std::uint32_t> on_lines_of(std::span<const std::uint32_t> cut, const Leaf& leaf,
+                                       const CellTree& tree) {
+  std::vector<std::uint32_t> on_lines;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    if (tree.edges().feature(a, b)) return;
+    if (std::ranges::count(cut, a) > 0) on_lines.push_back(b);
+    if (std::ranges::count(cut, b) > 0) on_lines.push_back(a);
+  });
+  return on_lines;
+}
+
 /// Places of the sheets around a leaf, in their order.
 std::vector<Place> places_around(const Leaf& leaf, const CellTree& tree) {
   const std::vector<std::uint32_t> cut = cut_corners(leaf, tree);
+  const std::vector<std::uint32_t> on_lines = on_lines_of(cut, leaf, tree);
   const Mesh& mesh = tree.mesh();
+  const dvec2 middle = tree.box(leaf).middle();
+  const auto place_of = [&](std::uint32_t vertex) -> Place {
+    if (std::ranges::count(on_lines, vertex) > 0)
+      return {glm::mix(mesh.uv[vertex], middle, kNearly)};
+    return {mesh.uv[vertex], mesh.position[vertex]};
+  };
   std::vector<Place> places;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     if (const auto between = tree.edges().between_features(a, b)) places.push_back({*between});
@@ -83,8 +103,7 @@ std::vector<Place> places_around(const Leaf& leaf, const CellTree& tree) {
     }
     for (const std::uint32_t end : {a, b}) {
       if (!tree.geometry().is_defined(end) || std::ranges::count(cut, end) > 0) continue;
-      places.push_back(feature ? last_place(end, *feature, mesh)
-                               : Place{mesh.uv[end], mesh.position[end]});
+      places.push_back(feature ? last_place(end, *feature, mesh) : place_of(end));
     }
   });
   return places;
