@@ -86,10 +86,12 @@ std::vector<Place> places_around(const Leaf& leaf, const CellTree& tree) {
   const std::vector<std::uint32_t> cut = cut_corners(leaf, tree);
   const std::vector<std::uint32_t> on_lines = on_lines_of(cut, leaf, tree);
   const Mesh& mesh = tree.mesh();
-  const dvec2 middle = tree.box(leaf).middle();
+  const auto [low, high] = tree.box(leaf);
+  // On diagonals formulas often have special values, too.
+  const dvec2 inside = glm::mix(low, high, dvec2(random_unit(0), random_unit(1)));
   const auto place_of = [&](std::uint32_t vertex) -> Place {
     if (std::ranges::count(on_lines, vertex) > 0)
-      return {glm::mix(mesh.uv[vertex], middle, kNearly)};
+      return {glm::mix(mesh.uv[vertex], inside, kNearly)};
     return {mesh.uv[vertex], mesh.position[vertex]};
   };
   std::vector<Place> places;
