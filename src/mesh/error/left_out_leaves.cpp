@@ -68,16 +68,21 @@ bool has_strip(const Leaf& leaf, const CellTree& tree) {
   return has;
 }
 
-/// Vertices that a side without features leads to from such a one: both may be on a line with
-/// values of its own, as that of sign(u)*sign(v) at v=0.
+/// Vertices that sides without features lead to from such ones: all may be on a line with values of
+/// its own, as that of sign(u)*sign(v) at v=0.
 std::vector<std::uint32_t> on_lines_of(std::span<const std::uint32_t> cut, const Leaf& leaf,
                                        const CellTree& tree) {
-  std::vector<std::uint32_t> on_lines;
-  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    if (tree.edges().feature(a, b)) return;
-    if (std::ranges::count(cut, a) > 0) on_lines.push_back(b);
-    if (std::ranges::count(cut, b) > 0) on_lines.push_back(a);
-  });
+  std::vector<std::uint32_t> on_lines(cut.begin(), cut.end());
+  const auto is_on_line = [&](std::uint32_t vertex) {
+    return std::ranges::count(on_lines, vertex) > 0;
+  };
+  for (std::size_t before = 0; before < on_lines.size();) {
+    before = on_lines.size();
+    for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+      if (tree.edges().feature(a, b) || is_on_line(a) == is_on_line(b)) return;
+      on_lines.push_back(is_on_line(a) ? b : a);
+    });
+  }
   return on_lines;
 }
 
