@@ -235,8 +235,8 @@ class Measurer {
       PlacedError& farthest = result_[of.leaf].farthest;
       const double before = farthest.distance;
       for (const std::size_t end = next + 2 * kFourWays.size(); next < end; next += 2) {
-        const double distance = std::min(distances[next], distances[next + 1]);
-        if (distance > farthest.distance) farthest = {distance, uv[next]};
+        const std::size_t place = distances[next + 1] < distances[next] ? next + 1 : next;
+        if (distances[place] > farthest.distance) farthest = {distances[place], uv[place]};
       }
       if (!(farthest.distance > before)) of.step *= 0.5;
     }
