@@ -59,8 +59,8 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
   }
 }
 
-/// Adds a leaf that the clip box cuts. Chords may be beyond the box. Those of boundaries count on
-/// the way to a pole, where the edge may be in it.
+/// Adds a leaf that the clip box cuts. Chords may be beyond the box. A boundary's count on the way
+/// to a pole, where the edge may be in it.
 void BoundaryDistance::add_across_face(const Leaf& leaf, std::size_t number,
                                        std::span<const Triangle> triangles, double allowed) {
   const bool has_face = has_cut(FeatureKind::Face, leaf, tree_);

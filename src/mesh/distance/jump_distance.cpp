@@ -159,7 +159,7 @@ void BoundaryDistance::check_at_faces(std::vector<std::optional<SheetEnd>>& ends
   const auto is_at_jump = [&](std::size_t k) {
     return ends[k] && ends[k]->kind == SheetEnd::Kind::Jump;
   };
-  for (;;) {
+  for (int round = 0; round < kHalvingsToNearly; ++round) {
     std::erase_if(outward, [&](std::size_t k) { return !is_at_jump(k); });
     if (outward.empty()) return;
     std::vector<Line> ways;

@@ -306,7 +306,7 @@ void add_too_small(const ValidatedMesh& mesh, const CellTree& tree, Measurer& me
 }
 
 /// Adds the largest of the emptied leaves that may be seen: beside waves there are hundreds of
-/// thousands. Without a clip box, what goes to infinity has no end.
+/// thousands. Without a clip box, the surface has no end beside a pole.
 void add_emptied(const ValidatedMesh& mesh, const std::optional<Bounds>& clip, const CellTree& tree,
                  Measurer& measurer) {
   const auto may_be_seen = [&](const Leaf& leaf) {

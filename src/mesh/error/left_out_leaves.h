@@ -28,9 +28,9 @@ std::vector<LeftOutLeaf> measure_too_small(const ValidatedMesh& mesh, const Grid
                                            const std::optional<Bounds>& clip, unsigned threads,
                                            const CellTree& tree);
 
-/// The same, for a mesh that is done: within a clip box, also inside of the largest leaves that
-/// their features leave without triangles, and where needles toward poles leave it. Distances of
-/// less than half of what is `known` may be too large, up to that.
+/// The same, for a mesh that is done: also inside of the largest leaves that their features leave
+/// without triangles, but for those at a pole that nothing clips, and where needles toward poles
+/// leave `clip`. Distances of less than half of what is `known` may be too large, up to that.
 std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh, double known, const Grid& grid,
                                           const std::optional<Bounds>& clip, unsigned threads,
                                           const CellTree& tree);
