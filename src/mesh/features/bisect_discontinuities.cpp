@@ -223,8 +223,8 @@ struct OutwardEnd {
 };
 
 /// `uv` and `points` of the end's places, kOutward.size() of them, have those of the jump's other
-/// end between them.
-OutwardEnd moved_outward(const Search& jump, std::size_t end, std::span<const dvec2> uv,
+/// end between them. Steps longer than `far` are compared with the slope.
+OutwardEnd moved_outward(const Search& jump, std::size_t end, double far, std::span<const dvec2> uv,
                          std::span<const SurfacePoint> points, const BisectedVector& bisected) {
   OutwardEnd moved{jump.ends[end], jump.at_ends[end],
                    bisected.value(points[2 * kFarOutward + end])};
@@ -232,7 +232,12 @@ OutwardEnd moved_outward(const Search& jump, std::size_t end, std::span<const dv
   for (std::size_t step = 0; step < kOutward.size(); ++step) {
     const std::size_t next = 2 * step + end;
     const dvec3 outward = bisected.value(points[next]);
-    if (is_finite(outward) && gap_between(outward, before) >= bisected.beyond) {
+    const dvec2 way = uv[next] - (step == 0 ? jump.ends[end] : uv[next - 2]);
+    // Far from 0 the last places are far apart, and the surface is elsewhere there.
+    const bool is_far = bisected.are_positions && glm::length(way) > far;
+    const dvec3 along = way.x * points[next].r_u + way.y * points[next].r_v;
+    const dvec3 from = is_far && is_finite(along) ? before + along : before;
+    if (is_finite(outward) && gap_between(outward, from) >= bisected.beyond) {
       const bool is_steep = step + 1 == kOutward.size();
       moved.uv = is_steep ? jump.ends[end] : uv[next];
       moved.value = is_steep ? jump.at_ends[end] : outward;
@@ -266,8 +271,10 @@ void look_outward(const Surface& surface, std::span<const Bracket> gaps, std::sp
   for (std::size_t k = 0; k < jumps.size(); ++k) {
     Search& jump = searches[jumps[k]];
     const std::size_t first = 2 * k * kOutward.size();
+    const Line& line = gaps[jumps[k]].whole;
+    const double far = kMostUnit * kOutward.back() * glm::distance(line[0], line[1]);
     const auto moved = [&](std::size_t end) {
-      return moved_outward(jump, end, std::span(uv).subspan(first),
+      return moved_outward(jump, end, far, std::span(uv).subspan(first),
                            std::span(points).subspan(first), bisected);
     };
     const std::array ends = {moved(0), moved(1)};

@@ -152,6 +152,16 @@ TEST(JumpSearch, TellsPolesApartWhereTheOtherParameterIsLarge) {
   }
 }
 
+/// Doubles are 1.2e-10 apart there: places far enough from a jump for rounding are elsewhere.
+TEST(JumpSearch, FindsJumpsFarFromZeroBetweenTheLastDoubles) {
+  const Surface parabola = height_field("(u-1e6<v^2)?1:-1", {999999, 1000001, -1, 1});
+  const Line line = {dvec2(1000000.02, 0.16), dvec2(1000000.03, 0.16)};
+  std::size_t work = 0;
+  const auto found = find_discontinuities(parabola, std::span(&line, 1), 0.003, 1, work)[0];
+  ASSERT_EQ(found.kind, Discontinuity::Jump);
+  for (const dvec2& end : found.ends) EXPECT_NEAR(end.x, 1000000.0256, 1e-9);
+}
+
 TEST(JumpSearch, FindsAllJumpsOfALineAtOnce) {
   const Surface steps = height_field(kThreeSteps, {-1, 2, -1, 1});
   for (const Line& line :
