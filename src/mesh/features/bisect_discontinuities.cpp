@@ -15,6 +15,7 @@
 #include "mesh/features/removable.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 
@@ -233,7 +234,7 @@ OutwardEnd moved_outward(const Search& jump, std::size_t end, double far, std::s
     const std::size_t next = 2 * step + end;
     const dvec3 outward = bisected.value(points[next]);
     const dvec2 way = uv[next] - (step == 0 ? jump.ends[end] : uv[next - 2]);
-    // Far from 0 the last places are far apart, and the surface is elsewhere there.
+    // Where the range is far from 0 the last places are far apart, and the surface is elsewhere.
     const bool is_far = bisected.are_positions && glm::length(way) > far;
     const dvec3 along = way.x * points[next].r_u + way.y * points[next].r_v;
     const dvec3 from = is_far && is_finite(along) ? before + along : before;
@@ -268,11 +269,13 @@ void look_outward(const Surface& surface, std::span<const Bracket> gaps, std::sp
     }
   }
   const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  const dvec2 range = box_of(surface.domain).size();
+  const double most = kMostUnit * kOutward.back();
   for (std::size_t k = 0; k < jumps.size(); ++k) {
     Search& jump = searches[jumps[k]];
     const std::size_t first = 2 * k * kOutward.size();
-    const Line& line = gaps[jumps[k]].whole;
-    const double far = kMostUnit * kOutward.back() * glm::distance(line[0], line[1]);
+    const dvec2 whole = gaps[jumps[k]].whole[1] - gaps[jumps[k]].whole[0];
+    const double far = most * glm::length(range * whole) / glm::length(whole);
     const auto moved = [&](std::size_t end) {
       return moved_outward(jump, end, far, std::span(uv).subspan(first),
                            std::span(points).subspan(first), bisected);
