@@ -126,6 +126,7 @@ class BoundaryDistance {
   std::vector<RimDistance> measure_places(std::vector<LeafDistance>& found);
   void measure_beyond_box(std::span<const SurfacePoint> at_middle,
                           std::vector<LeafDistance>& found);
+  bool counts_before(const EdgeChord& chord, const dvec3& place) const;
   void measure_jumps(std::vector<LeafDistance>& found);
 
   const Surface& surface_;

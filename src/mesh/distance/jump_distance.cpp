@@ -163,6 +163,7 @@ void BoundaryDistance::check_at_faces(std::vector<std::optional<SheetEnd>>& ends
     std::erase_if(outward, [&](std::size_t k) { return !is_at_jump(k); });
     if (outward.empty()) return;
     std::vector<Line> ways;
+    ways.reserve(outward.size());
     for (const std::size_t k : outward) ways.push_back({jumps_[k].opposite, ends[k]->uv});
     const auto before =
         sheet_ends(surface_, ways, {delta_, kHalvingsToNearly, clip_}, threads_, looks_);
@@ -225,6 +226,11 @@ void BoundaryDistance::end_at_cliffs(std::span<const std::size_t> numbers,
   }
 }
 
+/// Whether a place of a sheet just before a chord, through which the sheet goes on, is measured.
+bool BoundaryDistance::counts_before(const EdgeChord& chord, const dvec3& place) const {
+  return !chord.triangles.empty() && is_seen(clip_, place);
+}
+
 /// A sheet ends where the surface jumps, or at a boundary, on the way from a corner of its
 /// triangles across the chord.
 void BoundaryDistance::measure_jumps(std::vector<LeafDistance>& found) {
@@ -253,8 +259,7 @@ void BoundaryDistance::measure_jumps(std::vector<LeafDistance>& found) {
       edges.clear();
     }
     const SurfacePoint* const through = goes_on[k] ? &before_chords[next++] : nullptr;
-    if (through != nullptr && (chord.triangles.empty() || !is_seen(clip_, through->position)))
-      continue;
+    if (through != nullptr && !counts_before(chord, through->position)) continue;
     if (!ends[k] || !is_seen(clip_, at_ends[k].position)) continue;
     if (through != nullptr) {
       const double distance = distance_from_chord(grid_, chord.ends, through->position);
