@@ -331,7 +331,7 @@ class Oracle:
         low, high = corners.min(axis=1), corners.max(axis=1)
         ends = np.repeat(st[:, None], 2, axis=1)
         ends[:, :, axis] = [0, 1]
-        of_domain = self.surface.uv(ends)[axis]
+        of_domain = np.sort(self.surface.uv(ends)[axis], axis=1)  # a range may run backwards
         return np.maximum(1.5 * low - 0.5 * high, of_domain[:, 0]), \
             np.minimum(1.5 * high - 0.5 * low, of_domain[:, 1])
 
@@ -342,12 +342,8 @@ class Oracle:
         values = self._at_uv(line)
         rows = np.arange(len(uv))
         most = where.gap(values[:, 1:], values[:, :-1]).argmax(axis=1)
-        a, b = line[rows, most], line[rows, most + 1]
-        for _ in range(60):
-            middle = (a + b) / 2
-            ra, rm, rb = self._at_uv(a), self._at_uv(middle), self._at_uv(b)
-            left = (where.gap(ra, rm) >= where.gap(rm, rb))[:, None]
-            a, b = np.where(left, a, middle), np.where(left, middle, b)
+        on_way = where.Places(self._at_uv)
+        a, b = where.bisect(self._at_uv, line[rows, most], line[rows, most + 1], on_way, 60)
         return a[:, axis], b[:, axis]
 
     def _at_uv(self, uv):
