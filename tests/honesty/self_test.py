@@ -123,6 +123,12 @@ class OracleTest(unittest.TestCase):
         self.assertLess(forward, 0.9)
         self.assertAlmostEqual(backward * self.unit, 0.9, delta=0.01)
 
+    def test_reads_the_clip_as_the_command_line_does(self):
+        for options in (["--clip=-1:1,-2:2,-3:3"], ["--grid", "off", "--clip", "-1:1,-2:2,-3:3"]):
+            with self.subTest(options):
+                box = verdict.clip_box({"warnings": []}, options)
+                self.assertEqual(box.tolist(), [[-1, -2, -3], [1, 2, 3]])
+
     def test_measures_a_coarse_sphere(self):
         # Sagitta of the flattest chord: the middle of a quadrilateral's diagonal at the equator.
         angles = np.linspace(0, 2 * math.pi, 41)

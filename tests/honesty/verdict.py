@@ -64,11 +64,11 @@ class Run:
 
 
 def clip_box(report, options=()):
-    """The box of --clip=X0:X1,Y0:Y1,Z0:Z1 or the one that warnings name, whose four digits are rounded
+    """The box of --clip X0:X1,Y0:Y1,Z0:Z1 or the one that warnings name, whose four digits are rounded
     inward, or to the mesh's own bounds."""
-    asked = next((option for option in options if option.startswith("--clip=")), None)
+    asked = re.search(r"--clip[ =](\S+)", " ".join(options))
     if asked:
-        sides = asked.removeprefix("--clip=").split(",")
+        sides = asked.group(1).split(",")
         return np.array([[float(end) for end in side.split(":")] for side in sides]).T
     text = next((re.search(r"clipped to (.*?);", w).group(1) for w in report["warnings"]
                  if "clipped to" in w), None)
