@@ -110,6 +110,8 @@ class BoundaryDistance {
                             const dvec2& uv, const SurfacePoint& point) const;
   void follow_outside(std::span<const std::array<dvec2, 2>> ways, std::vector<dvec2>& ends) const;
   std::vector<std::optional<SheetEnd>> ends_of_sheets();
+  bool is_steep_end(const EdgeChord& chord, const SheetEnd& end, const dvec3& position) const;
+  std::vector<SurfacePoint> evaluate_ends(std::vector<std::optional<SheetEnd>>& ends);
   bool has_slight_jump(const Leaf& leaf, double allowed) const;
   void check_at_faces(std::vector<std::optional<SheetEnd>>& ends);
   void end_at_jumps(std::span<const std::size_t> numbers, double least,
