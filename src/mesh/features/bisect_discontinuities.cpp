@@ -230,6 +230,8 @@ OutwardEnd moved_outward(const Search& jump, std::size_t end, double far, std::s
   OutwardEnd moved{jump.ends[end], jump.at_ends[end],
                    bisected.value(points[2 * kFarOutward + end])};
   dvec3 before = jump.at_ends[end];
+  double last_move = 0;
+  bool is_root = true;  // moves shrink toward the jump, as those of a root
   for (std::size_t step = 0; step < kOutward.size(); ++step) {
     const std::size_t next = 2 * step + end;
     const dvec3 outward = bisected.value(points[next]);
@@ -238,11 +240,14 @@ OutwardEnd moved_outward(const Search& jump, std::size_t end, double far, std::s
     const bool is_far = bisected.are_positions && glm::length(way) > far;
     const dvec3 along = way.x * points[next].r_u + way.y * points[next].r_v;
     const dvec3 from = is_far && is_finite(along) ? before + along : before;
-    if (is_finite(outward) && gap_between(outward, from) >= bisected.beyond) {
+    const double move = gap_between(outward, from);
+    if (is_finite(outward) && move >= bisected.beyond) {
       const bool is_steep = step + 1 == kOutward.size();
+      is_root = is_root && last_move <= kShrinks * move;
       moved.uv = is_steep ? jump.ends[end] : uv[next];
       moved.value = is_steep ? jump.at_ends[end] : outward;
-      ++moved.moves;
+      moved.moves = is_steep && is_root ? 0 : moved.moves + 1;
+      last_move = move;
     }
     before = outward;
   }
