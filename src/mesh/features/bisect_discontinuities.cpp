@@ -229,9 +229,9 @@ OutwardEnd moved_outward(const Search& jump, std::size_t end, double far, std::s
                          std::span<const SurfacePoint> points, const BisectedVector& bisected) {
   OutwardEnd moved{jump.ends[end], jump.at_ends[end],
                    bisected.value(points[2 * kFarOutward + end])};
+  OutwardEnd before_run = moved;  // of moves that grow outward, as those of a root
   dvec3 before = jump.at_ends[end];
   double last_move = 0;
-  bool is_root = true;  // moves shrink toward the jump, as those of a root
   for (std::size_t step = 0; step < kOutward.size(); ++step) {
     const std::size_t next = 2 * step + end;
     const dvec3 outward = bisected.value(points[next]);
@@ -241,15 +241,19 @@ OutwardEnd moved_outward(const Search& jump, std::size_t end, double far, std::s
     const dvec3 along = way.x * points[next].r_u + way.y * points[next].r_v;
     const dvec3 from = is_far && is_finite(along) ? before + along : before;
     const double move = gap_between(outward, from);
-    if (is_finite(outward) && move >= bisected.beyond) {
-      const bool is_steep = step + 1 == kOutward.size();
-      is_root = is_root && last_move <= kShrinks * move;
-      moved.uv = is_steep ? jump.ends[end] : uv[next];
-      moved.value = is_steep ? jump.at_ends[end] : outward;
-      moved.moves = is_steep && is_root ? 0 : moved.moves + 1;
-      last_move = move;
-    }
     before = outward;
+    if (!is_finite(outward) || !(move >= bisected.beyond)) continue;
+    if (last_move > kShrinks * move) before_run = moved;
+    moved.uv = uv[next];
+    moved.value = outward;
+    ++moved.moves;
+    last_move = move;
+    const bool is_steep = step + 1 == kOutward.size();
+    if (!is_steep) continue;
+    moved = before_run;
+    if (moved.moves <= kMostMoves) continue;
+    moved.uv = jump.ends[end];
+    moved.value = jump.at_ends[end];
   }
   return moved;
 }
@@ -257,7 +261,8 @@ OutwardEnd moved_outward(const Search& jump, std::size_t end, double far, std::s
 /// Moves ends of jumps outward. At a jump a formula may have a value of its own, as sign(0) is 0,
 /// for some doubles: it belongs to neither side. An end moves to the last place outward whose value
 /// is far from the one before, within its line. If that is the outermost place, the surface is
-/// steep, and the end stays. Where it moves all the way it may go to infinity.
+/// steep, and the last moves, each larger than the one before, do not count. Where the end moves all
+/// the way it may go to infinity.
 void look_outward(const Surface& surface, std::span<const Bracket> gaps, std::span<Search> searches,
                   const BisectedVector& bisected, unsigned threads) {
   std::vector<std::size_t> jumps;
