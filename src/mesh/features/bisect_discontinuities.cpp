@@ -34,6 +34,9 @@ constexpr int kMostMisses = 2;
 /// millions of doubles: 5*sin(u) is 5 as far as sqrt(2^-53) from where it should be.
 constexpr std::array kOutward = {1.0,    0x1p3,  0x1p6,  0x1p9,  0x1p12, 0x1p15,
                                  0x1p18, 0x1p21, 0x1p24, 0x1p27, 0x1p30};
+/// A line that ends nearer at a jump than this part of the range ends on it: cos(u) is 1 as far as
+/// sqrt(2^-52) from 0.
+constexpr double kSliver = 0x1p-25;
 /// Values of their own make positions move at up to 4 of these places; sin(1/u) moves at most.
 constexpr std::size_t kMostMoves = 4;
 /// These units, in lengths of the line, at most: the places stay within 2^-14 of it.
@@ -199,11 +202,13 @@ void advance(Search& search, const Look& look, const BisectedVector& bisected) {
 }
 
 /// The unit of rounding at a jump, along its line: the distance of the doubles beside it, or that
-/// of doubles as large as the larger parameter, with which a condition may add the smaller.
-dvec2 unit_of_rounding(const Search& search, const Line& line) {
+/// of doubles as large as the larger parameter, with which a condition may add the smaller, or as
+/// the ranges, on which it may rise and fall.
+dvec2 unit_of_rounding(const Search& search, const Line& line, const dvec2& ranges) {
   const dvec2 width = search.ends[1] - search.ends[0];
   const dvec2 whole = line[1] - line[0];
-  const dvec2 at = glm::max(glm::abs(search.ends[0]), glm::abs(search.ends[1]));
+  const dvec2 at =
+      glm::max(glm::max(glm::abs(search.ends[0]), glm::abs(search.ends[1])), ranges);
   const double digits = std::numeric_limits<double>::epsilon() * std::max(at.x, at.y);
   const double share = std::min(digits / glm::length(whole), kMostUnit);
   return glm::length(width) > share * glm::length(whole) ? width : share * whole;
@@ -267,26 +272,30 @@ void look_outward(const Surface& surface, std::span<const Bracket> gaps, std::sp
                   const BisectedVector& bisected, unsigned threads) {
   std::vector<std::size_t> jumps;
   std::vector<dvec2> uv;
+  const dvec2 range = box_of(surface.domain).size();
   for (std::size_t k = 0; k < searches.size(); ++k) {
     const Search& search = searches[k];
     if (search.found.kind != Discontinuity::Jump) continue;
     jumps.push_back(k);
     const Line& line = gaps[k].whole;
-    const dvec2 unit = unit_of_rounding(search, line);
+    const dvec2 unit = unit_of_rounding(search, line, range);
     for (const double steps : kOutward) {
       uv.push_back(within(line, 0, search.ends[0] - steps * unit));
       uv.push_back(within(line, 1, search.ends[1] + steps * unit));
     }
   }
   const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
-  const dvec2 range = box_of(surface.domain).size();
   const double most = kMostUnit * kOutward.back();
   for (std::size_t k = 0; k < jumps.size(); ++k) {
     Search& jump = searches[jumps[k]];
     const std::size_t first = 2 * k * kOutward.size();
-    const dvec2 whole = gaps[jumps[k]].whole[1] - gaps[jumps[k]].whole[0];
-    const double far = most * glm::length(range * whole) / glm::length(whole);
+    const Line& line = gaps[jumps[k]].whole;
+    const dvec2 whole = line[1] - line[0];
+    const double along = glm::length(range * whole) / glm::length(whole);
+    const double far = most * along;
     const auto moved = [&](std::size_t end) {
+      if (bisected.are_positions && glm::distance(jump.ends[end], line[end]) <= kSliver * along)
+        return OutwardEnd{line[end], jump.at_ends[end], jump.at_ends[end]};
       return moved_outward(jump, end, far, std::span(uv).subspan(first),
                            std::span(points).subspan(first), bisected);
     };

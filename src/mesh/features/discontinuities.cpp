@@ -103,6 +103,12 @@ double same_of(const Line& line, bool are_poles) {
   return std::max(kSame * length, std::sqrt(rounding) * std::sqrt(length));
 }
 
+/// Whether two discontinuities begin or end at one place, as all do that rounding makes beside a
+/// value of its own at an end of their line.
+bool share_end(const Line& a, const Line& b) {
+  return a[0] == b[0] || a[1] == b[1];
+}
+
 /// Adds a discontinuity in an unproved part to the known one of its line.
 void add(const LocatedDiscontinuity& more, const Line& line, LocatedDiscontinuity& known) {
   if (more.kind == Discontinuity::None) return;
@@ -110,7 +116,7 @@ void add(const LocatedDiscontinuity& more, const Line& line, LocatedDiscontinuit
   const bool are_poles = known.kind == Discontinuity::Pole && more.kind == Discontinuity::Pole;
   if (known.kind == Discontinuity::None) {
     known = more;
-  } else if (length_of(gap) > same_of(line, are_poles)) {
+  } else if (!share_end(more.ends, known.ends) && length_of(gap) > same_of(line, are_poles)) {
     known.between = middle_of(gap);
   } else if (more.kind == Discontinuity::Pole) {
     known.kind = Discontinuity::Pole;
@@ -196,7 +202,9 @@ class LineSearch {
     const Line& line = lines_[number];
     std::vector<Line>& jumps = jumps_[number];
     const double same = kSame * length_of(line);
-    const auto is_same = [&](const Line& at) { return glm::distance(at[0], jump[0]) <= same; };
+    const auto is_same = [&](const Line& at) {
+      return glm::distance(at[0], jump[0]) <= same || share_end(at, jump);
+    };
     const auto known = std::ranges::find_if(jumps, is_same);
     if (known != jumps.end()) {
       *known = hull(*known, jump, line);
