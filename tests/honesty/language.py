@@ -384,6 +384,12 @@ class Surface:
         low, high = self._ends_v(u)
         return u, np.where(t >= 1, high, low + t * (high - low))
 
+    def rounding(self):
+        """The larger unit of rounding of the parameters, in lengths of their ranges."""
+        _, ends_v = self.uv(np.array([[0.5, 0.0], [0.5, 1.0]]))
+        return max(np.spacing(max(np.abs(ends))) / np.ptp(ends) if np.ptp(ends) else 0
+                   for ends in ((self.u0, self.u1), ends_v))
+
     def st(self, uv):
         """Places in the unit square of parameters."""
         u, v = uv[..., 0], uv[..., 1]

@@ -9,6 +9,10 @@ from places import inside, length
 # A place counts as a part of the surface if two neighbours of twelve around it have its value.
 RADII = (1e-10, 1e-12, 3e-14, 1e-15)
 NEIGHBOURS = 12
+# The radius for precise values: 64 bits cannot tell 1-u^2 from 1 within 3e-10 of u=0.
+PRECISE_RADIUS = 1e-9
+# Neighbours are as many units of rounding away: nearer ones may be on lines of single values.
+UNITS_AWAY = 64
 # Lines between samples that a search halves: at first, and of these the nearest to the last digit.
 BROAD, NARROW = 14, 4
 # Shares of a way toward a wall: nearly all doubles that a wall at 0 may have.
@@ -33,7 +37,8 @@ def is_solid(surface, st, small, rng, precise=False):
     """Whether values at places are shared by an open set beside them; single values count as none."""
     values = surface(st)
     solid = np.zeros(len(st), dtype=bool)
-    for radius in RADII:
+    least = UNITS_AWAY * surface.rounding()
+    for radius in {max(radius, least) for radius in ((PRECISE_RADIUS,) if precise else RADII)}:
         angles = 2 * np.pi * (np.arange(NEIGHBOURS) + rng.random()) / NEIGHBOURS
         around = st[:, None] + radius * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
         kept = ((around >= 0) & (around <= 1)).all(axis=-1)

@@ -10,7 +10,7 @@ import verdict
 from language import Surface
 from mesh import Mesh
 from nearest import Triangles
-from oracle import Oracle
+from oracle import Oracle, is_solid
 
 
 def grid_mesh(formulas, us, vs):
@@ -122,6 +122,16 @@ class OracleTest(unittest.TestCase):
         forward, backward = errors(step, plane, self.unit, clip)
         self.assertLess(forward, 0.9)
         self.assertAlmostEqual(backward * self.unit, 0.9, delta=0.01)
+
+    def test_takes_single_values_for_no_part(self):
+        for formula, place in (["z=floor(1-u^2)+v", (0.5 - 6e-12, 1)],
+                               ["z=mod(u*8,1)*mod(v*8,1)", (1, 1 - 8.9e-16)],
+                               ["z=floor(u)+v u=1e5:1e5+3", (1, 1)]):
+            surface = Surface(formula.split())
+            for seed in range(12):
+                with self.subTest(formula=formula, seed=seed):
+                    rng = np.random.default_rng(seed)
+                    self.assertFalse(is_solid(surface, np.array([place]), 1e-3, rng, precise=True)[0])
 
     def test_reads_the_clip_as_the_command_line_does(self):
         for options in (["--clip=-1:1,-2:2,-3:3"], ["--grid", "off", "--clip", "-1:1,-2:2,-3:3"]):
