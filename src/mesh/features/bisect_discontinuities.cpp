@@ -34,9 +34,6 @@ constexpr int kMostMisses = 2;
 /// millions of doubles: 5*sin(u) is 5 as far as sqrt(2^-53) from where it should be.
 constexpr std::array kOutward = {1.0,    0x1p3,  0x1p6,  0x1p9,  0x1p12, 0x1p15,
                                  0x1p18, 0x1p21, 0x1p24, 0x1p27, 0x1p30};
-/// A line that ends nearer at a jump than this part of the range ends on it: cos(u) is 1 as far as
-/// sqrt(2^-52) from 0.
-constexpr double kSliver = 0x1p-25;
 /// Values of their own make positions move at up to 4 of these places; sin(1/u) moves at most.
 constexpr std::size_t kMostMoves = 4;
 /// These units, in lengths of the line, at most: the places stay within 2^-14 of it.
@@ -294,6 +291,7 @@ void look_outward(const Surface& surface, std::span<const Bracket> gaps, std::sp
     const double along = glm::length(range * whole) / glm::length(whole);
     const double far = most * along;
     const auto moved = [&](std::size_t end) {
+      // A line that ends so near is on a line with a value of its own, or at the jump.
       if (bisected.are_positions && glm::distance(jump.ends[end], line[end]) <= kSliver * along)
         return OutwardEnd{line[end], jump.at_ends[end], jump.at_ends[end]};
       return moved_outward(jump, end, far, std::span(uv).subspan(first),

@@ -25,6 +25,9 @@ inline constexpr double kRoundingOfSums = 1e-12;
 /// pixel. On a line of parameters, a range is its length: a formula that has a value of its own at
 /// a jump makes two steps; a stretch of a side this short is a sliver made of rounding.
 inline constexpr double kSame = 1e-9;
+/// A part of a range: sheets as thin are made of rounding, as that of floor(cos(u)), which is 1 as
+/// far as sqrt(2^-52) from 0.
+inline constexpr double kSliver = 0x1p-25;
 /// The same for what is derived from them with fewer digits: lengths, areas, limits. Both diagonals
 /// of a cell have the same sagitta on surfaces of revolution, and rounding must not choose. Double
 /// zeros are known to 1e-8.

@@ -266,6 +266,35 @@ class LandmarkSearch {
       of.is_pole = !(left <= kStays * width);  // true for NaN
       if (left <= width / kStays) of.other.reset();
     }
+    drop_slivers(uv, points, sides);
+  }
+
+  /// Drops the sides of steps that are in sheets made of rounding.
+  void drop_slivers(std::span<const dvec2> uv, std::span<const SurfacePoint> points,
+                    std::span<Sides> sides) const {
+    const ParameterBox domain = box_of(surface_.domain);
+    std::vector<std::size_t> boxes;
+    std::vector<dvec2> beyond;  // the sides of each, away from the other side
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (!sides[k].other) continue;
+      boxes.push_back(k);
+      const std::array ends = {uv[*sides[k].defined], uv[*sides[k].other]};
+      const double width = glm::length((ends[1] - ends[0]) / domain.size());
+      const dvec2 way = 2 * kSliver / width * (ends[1] - ends[0]);
+      beyond.push_back(nearest_in(domain, ends[0] - way));
+      beyond.push_back(nearest_in(domain, ends[1] + way));
+    }
+    if (boxes.empty()) return;
+    const std::vector<dvec3> found = evaluate_positions(surface_, beyond, threads_);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      Sides& of = sides[boxes[i]];
+      const std::array at = {points[*of.defined].position, points[*of.other].position};
+      const double height = glm::distance(at[0], at[1]) / kStays;
+      const bool is_first_thin = glm::distance(at[0], found[2 * i]) > height;
+      if (!is_first_thin && !(glm::distance(at[1], found[2 * i + 1]) > height)) continue;
+      if (is_first_thin) of.defined = of.other;
+      of.other.reset();
+    }
   }
 
   /// The groups of the open boxes.
