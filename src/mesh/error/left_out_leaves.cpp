@@ -94,10 +94,11 @@ std::vector<Place> places_around(const Leaf& leaf, const CellTree& tree) {
   const auto [low, high] = tree.box(leaf);
   // On diagonals formulas often have special values, too.
   const dvec2 inside = glm::mix(low, high, dvec2(random_unit(0), random_unit(1)));
-  const auto place_of = [&](std::uint32_t vertex) -> Place {
-    if (std::ranges::count(on_lines, vertex) > 0)
-      return {glm::mix(mesh.uv[vertex], inside, kNearly)};
-    return {mesh.uv[vertex], mesh.position[vertex]};
+  const auto place_of = [&](std::uint32_t vertex, const std::optional<EdgeFeature>& feature) {
+    const Place place = feature ? last_place(vertex, *feature, mesh)
+                                : Place{mesh.uv[vertex], mesh.position[vertex]};
+    if (std::ranges::count(on_lines, vertex) == 0) return place;
+    return Place{glm::mix(place.uv, inside, kNearly)};
   };
   std::vector<Place> places;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
@@ -110,7 +111,7 @@ std::vector<Place> places_around(const Leaf& leaf, const CellTree& tree) {
     }
     for (const std::uint32_t end : {a, b}) {
       if (!tree.geometry().is_defined(end) || std::ranges::count(cut, end) > 0) continue;
-      places.push_back(feature ? last_place(end, *feature, mesh) : place_of(end));
+      places.push_back(place_of(end, feature));
     }
   });
   return places;

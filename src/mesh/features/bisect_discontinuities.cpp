@@ -13,6 +13,7 @@
 #include "base/numbers.h"
 #include "mesh/features/bisect_together.h"
 #include "mesh/features/removable.h"
+#include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 #include "surface/parameter_box.h"
@@ -34,6 +35,8 @@ constexpr int kMostMisses = 2;
 /// millions of doubles: 5*sin(u) is 5 as far as sqrt(2^-53) from where it should be.
 constexpr std::array kOutward = {1.0,    0x1p3,  0x1p6,  0x1p9,  0x1p12, 0x1p15,
                                  0x1p18, 0x1p21, 0x1p24, 0x1p27, 0x1p30};
+/// On a line this near one of its ends, in its lengths, no sheet is seen.
+constexpr double kOnEnd = 1.0 / 16;
 /// Values of their own make positions move at up to 4 of these places; sin(1/u) moves at most.
 constexpr std::size_t kMostMoves = 4;
 /// These units, in lengths of the line, at most: the places stay within 2^-14 of it.
@@ -260,6 +263,58 @@ OutwardEnd moved_outward(const Search& jump, std::size_t end, double far, std::s
   return moved;
 }
 
+/// The range along a line.
+double range_along(const Surface& surface, const Line& line) {
+  const dvec2 way = line[1] - line[0];
+  return glm::length(box_of(surface.domain).size() * way) / glm::length(way);
+}
+
+/// Whether lines end at values of their own, as floor(cos(u)) at u=0: their jumps are so near the
+/// ends that rounding made the sheets between, and no two neighbouring directions of eight around an
+/// end have its value. Elsewhere a sheet begins there, as at the tip of a disc.
+std::vector<std::array<bool, 2>> end_on_single_values(const Surface& surface,
+                                                      std::span<const Bracket> gaps,
+                                                      std::span<const Search> searches,
+                                                      const BisectedVector& bisected) {
+  std::vector<std::array<bool, 2>> result(gaps.size(), {false, false});
+  if (!bisected.are_positions) return result;
+  struct End {
+    std::size_t line, end;
+  };
+  std::vector<End> ends;
+  std::vector<dvec2> around;
+  const ParameterBox domain = box_of(surface.domain);
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    if (searches[k].found.kind != Discontinuity::Jump) continue;
+    const Line& line = gaps[k].whole;
+    const double near = std::min(kSliver * range_along(surface, line),
+                                 kOnEnd * glm::distance(line[0], line[1]));
+    for (const std::size_t end : {0U, 1U}) {
+      const double distance = glm::distance(searches[k].ends[end], line[end]);
+      if (distance == 0 || distance > near) continue;
+      ends.push_back({k, end});
+      for (const dvec2& way : kEightWays)
+        around.push_back(line[end] + kStays * kSliver * domain.size() * way);
+      around.push_back(line[end]);
+    }
+  }
+  if (ends.empty()) return result;
+  const std::vector<dvec3> found = evaluate_positions(surface, around, 1);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const std::size_t first = (kEightWays.size() + 1) * i;
+    const auto is_same = [&](std::size_t way) {
+      const std::size_t place = first + way % kEightWays.size();
+      return nearest_in(domain, around[place]) == around[place] &&
+             gap_between(found[place], found[first + kEightWays.size()]) < bisected.delta;
+    };
+    bool is_sheet = false;
+    for (std::size_t way = 0; way < kEightWays.size(); ++way)
+      is_sheet = is_sheet || (is_same(way) && is_same(way + 1));
+    result[ends[i].line][ends[i].end] = !is_sheet;
+  }
+  return result;
+}
+
 /// Moves ends of jumps outward. At a jump a formula may have a value of its own, as sign(0) is 0,
 /// for some doubles: it belongs to neither side. An end moves to the last place outward whose value
 /// is far from the one before, within its line. If that is the outermost place, the surface is
@@ -282,17 +337,15 @@ void look_outward(const Surface& surface, std::span<const Bracket> gaps, std::sp
     }
   }
   const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  const auto are_single = end_on_single_values(surface, gaps, searches, bisected);
   const double most = kMostUnit * kOutward.back();
   for (std::size_t k = 0; k < jumps.size(); ++k) {
     Search& jump = searches[jumps[k]];
     const std::size_t first = 2 * k * kOutward.size();
     const Line& line = gaps[jumps[k]].whole;
-    const dvec2 whole = line[1] - line[0];
-    const double along = glm::length(range * whole) / glm::length(whole);
-    const double far = most * along;
+    const double far = most * range_along(surface, line);
     const auto moved = [&](std::size_t end) {
-      // A line that ends so near is on a line with a value of its own, or at the jump.
-      if (bisected.are_positions && glm::distance(jump.ends[end], line[end]) <= kSliver * along)
+      if (are_single[jumps[k]][end])
         return OutwardEnd{line[end], jump.at_ends[end], jump.at_ends[end]};
       return moved_outward(jump, end, far, std::span(uv).subspan(first),
                            std::span(points).subspan(first), bisected);
