@@ -86,14 +86,17 @@ std::vector<std::uint32_t> on_lines_of(std::span<const std::uint32_t> cut, const
   return on_lines;
 }
 
+/// A place in a box, on none of its diagonals: formulas often have special values there.
+dvec2 somewhere_in(const ParameterBox& box) {
+  return glm::mix(box.low, box.high, dvec2(random_unit(0), random_unit(1)));
+}
+
 /// Places of the sheets around a leaf, in their order.
 std::vector<Place> places_around(const Leaf& leaf, const CellTree& tree) {
   const std::vector<std::uint32_t> cut = cut_corners(leaf, tree);
   const std::vector<std::uint32_t> on_lines = on_lines_of(cut, leaf, tree);
   const Mesh& mesh = tree.mesh();
-  const auto [low, high] = tree.box(leaf);
-  // On diagonals formulas often have special values, too.
-  const dvec2 inside = glm::mix(low, high, dvec2(random_unit(0), random_unit(1)));
+  const dvec2 inside = somewhere_in(tree.box(leaf));
   const auto place_of = [&](std::uint32_t vertex, const std::optional<EdgeFeature>& feature) {
     const Place place = feature ? last_place(vertex, *feature, mesh)
                                 : Place{mesh.uv[vertex], mesh.position[vertex]};
@@ -219,14 +222,14 @@ class Measurer {
   };
 
   /// A round of compass searches. On a line the surface may have a value of its own, as sign(u) at
-  /// 0: the smaller distance of a place and of one just before it counts.
+  /// 0: the smaller distance of a place and of one a little inside counts.
   void search() {
     std::vector<dvec2> uv;
     for (const auto& [leaf, box, step] : searched_) {
       const dvec2& from = result_[leaf].farthest.uv;
       for (const dvec2& way : kFourWays) {
         const dvec2 there = nearest_in(box, from + step * way * (box.high - box.low));
-        uv.insert(uv.end(), {there, glm::mix(there, from, kNearly)});
+        uv.insert(uv.end(), {there, glm::mix(there, somewhere_in(box), kNearly)});
       }
     }
     const std::vector<double> distances =
