@@ -26,7 +26,6 @@ namespace {
 /// slight ones sheets end at jumps of half of that, and other jumps of up to a tolerance do not
 /// count.
 constexpr double kSlight = 2;
-constexpr double kLeastJump = 0.125;
 
 /// The largest distance of an edge from its chord, by its heights on the ways across. `middle`: the
 /// end of the middle way.
@@ -133,7 +132,7 @@ std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_of_sheets() {
   }
   std::vector<std::optional<SheetEnd>> ends(jumps_.size());
   if (!at_jumps.empty()) end_at_jumps(at_jumps, delta_, ends);
-  if (!at_slight_jumps.empty()) end_at_jumps(at_slight_jumps, kLeastJump * delta_, ends);
+  if (!at_slight_jumps.empty()) end_at_jumps(at_slight_jumps, 0.5 * kUnnoticed * delta_, ends);
   if (!at_cliffs.empty()) end_at_cliffs(at_cliffs, ends);
   check_at_faces(ends);
   return ends;
@@ -231,8 +230,8 @@ bool BoundaryDistance::counts_before(const EdgeChord& chord, const dvec3& place)
   return !chord.triangles.empty() && is_seen(clip_, place);
 }
 
-/// Whether a sheet's last place is at most two steps of the search before its chord, and yet farther
-/// from it than half of what is allowed.
+/// Whether a sheet's last place is at most two steps of the search before its chord, and yet
+/// farther from it than half of what is allowed.
 bool BoundaryDistance::is_steep_end(const EdgeChord& chord, const SheetEnd& end,
                                     const dvec3& position) const {
   if (end.kind != SheetEnd::Kind::Jump || is_beyond(chord, end.uv)) return false;
@@ -260,8 +259,7 @@ std::vector<SurfacePoint> BoundaryDistance::evaluate_ends(
     for (std::size_t k = 0; k < ends.size(); ++k) {
       if (!ends[k] || !is_steep_end(jumps_[k], *ends[k], points[k].position)) continue;
       steep.push_back(k);
-      ways.push_back(
-          {ends[k]->uv, ends[k]->uv + part * (jumps_[k].beyond - jumps_[k].opposite)});
+      ways.push_back({ends[k]->uv, ends[k]->uv + part * (jumps_[k].beyond - jumps_[k].opposite)});
     }
     if (steep.empty()) break;
     const auto nearer =

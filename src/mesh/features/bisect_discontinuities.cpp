@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 
 #include <glm/common.hpp>
@@ -12,35 +11,19 @@
 
 #include "base/numbers.h"
 #include "mesh/features/bisect_together.h"
-#include "mesh/features/removable.h"
-#include "mesh/model/sample_places.h"
+#include "mesh/features/look_outward.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"
-#include "surface/parameter_box.h"
 
 namespace saddle {
 
 namespace {
 
-/// A gap between neighbouring doubles is no jump if it shrinks from the gap between places 2^21
-/// units of rounding apart: abs(u)^0.05 and 1/ln(u) come to 0 ever more slowly.
-constexpr std::size_t kFarOutward = 7;
 /// The part of a line at which it is halved.
 constexpr double kShare = 0.498;
 
 /// A place without a value may be a cusp itself. It is then tried on both sides of that.
 constexpr int kMostMisses = 2;
-
-/// Places beyond the ends of a jump, in units of rounding. A rounded condition may be 0 for
-/// millions of doubles: 5*sin(u) is 5 as far as sqrt(2^-53) from where it should be.
-constexpr std::array kOutward = {1.0,    0x1p3,  0x1p6,  0x1p9,  0x1p12, 0x1p15,
-                                 0x1p18, 0x1p21, 0x1p24, 0x1p27, 0x1p30};
-/// On a line this near one of its ends, in its lengths, no sheet is seen.
-constexpr double kOnEnd = 1.0 / 16;
-/// Values of their own make positions move at up to 4 of these places; sin(1/u) moves at most.
-constexpr std::size_t kMostMoves = 4;
-/// These units, in lengths of the line, at most: the places stay within 2^-14 of it.
-constexpr double kMostUnit = 0x1p-44;
 
 /// A line that is being bisected.
 struct Search {
@@ -61,11 +44,6 @@ struct Search {
   bool is_between = false;     ///< between the ends there is no value, or one of its own
   bool has_passed_by = false;  ///< LocatedDiscontinuity::has_passed_by
 };
-
-/// The distance of two values, also where its square would overflow.
-double gap_between(const dvec3& a, const dvec3& b) {
-  return safe_length(a - b);
-}
 
 Search begin(const Bracket& gap) {
   Search search{gap.line, gap.at_ends, gap.slopes};
@@ -201,171 +179,21 @@ void advance(Search& search, const Look& look, const BisectedVector& bisected) {
   ++search.steps;
 }
 
-/// The unit of rounding at a jump, along its line: the distance of the doubles beside it, or that
-/// of doubles as large as the larger parameter, with which a condition may add the smaller, or as
-/// the ranges, on which it may rise and fall.
-dvec2 unit_of_rounding(const Search& search, const Line& line, const dvec2& ranges) {
-  const dvec2 width = search.ends[1] - search.ends[0];
-  const dvec2 whole = line[1] - line[0];
-  const dvec2 at =
-      glm::max(glm::max(glm::abs(search.ends[0]), glm::abs(search.ends[1])), ranges);
-  const double digits = std::numeric_limits<double>::epsilon() * std::max(at.x, at.y);
-  const double share = std::min(digits / glm::length(whole), kMostUnit);
-  return glm::length(width) > share * glm::length(whole) ? width : share * whole;
-}
-
-/// A place on a line, or the end of the line that it is beyond.
-dvec2 within(const Line& line, std::size_t end, const dvec2& place) {
-  const bool is_beyond = glm::dot(place - line[end], line[end] - line[1 - end]) > 0;
-  return is_beyond ? line[end] : place;
-}
-
-/// One end of a jump, looked at outward.
-struct OutwardEnd {
-  dvec2 uv;     ///< where it moves
-  dvec3 value;  ///< there
-  dvec3 far;    ///< the value at the place kFarOutward
-  std::size_t moves = 0;
-};
-
-/// `uv` and `points` of the end's places, kOutward.size() of them, have those of the jump's other
-/// end between them. Steps longer than `far` are compared with the slope.
-OutwardEnd moved_outward(const Search& jump, std::size_t end, double far, std::span<const dvec2> uv,
-                         std::span<const SurfacePoint> points, const BisectedVector& bisected) {
-  OutwardEnd moved{jump.ends[end], jump.at_ends[end],
-                   bisected.value(points[2 * kFarOutward + end])};
-  OutwardEnd before_run = moved;  // of moves that grow outward, as those of a root
-  dvec3 before = jump.at_ends[end];
-  double last_move = 0;
-  for (std::size_t step = 0; step < kOutward.size(); ++step) {
-    const std::size_t next = 2 * step + end;
-    const dvec3 outward = bisected.value(points[next]);
-    const dvec2 way = uv[next] - (step == 0 ? jump.ends[end] : uv[next - 2]);
-    // Where the range is far from 0 the last places are far apart, and the surface is elsewhere.
-    const bool is_far = bisected.are_positions && glm::length(way) > far;
-    const dvec3 along = way.x * points[next].r_u + way.y * points[next].r_v;
-    const dvec3 from = is_far && is_finite(along) ? before + along : before;
-    const double move = gap_between(outward, from);
-    before = outward;
-    if (!is_finite(outward) || !(move >= bisected.beyond)) continue;
-    if (last_move > kShrinks * move) before_run = moved;
-    moved.uv = uv[next];
-    moved.value = outward;
-    ++moved.moves;
-    last_move = move;
-    const bool is_steep = step + 1 == kOutward.size();
-    if (!is_steep) continue;
-    moved = before_run;
-    if (moved.moves <= kMostMoves) continue;
-    moved.uv = jump.ends[end];
-    moved.value = jump.at_ends[end];
-  }
-  return moved;
-}
-
-/// The range along a line.
-double range_along(const Surface& surface, const Line& line) {
-  const dvec2 way = line[1] - line[0];
-  return glm::length(box_of(surface.domain).size() * way) / glm::length(way);
-}
-
-/// Whether lines end at values of their own, as floor(cos(u)) at u=0: their jumps are so near the
-/// ends that rounding made the sheets between, and no two neighbouring directions of eight around an
-/// end have its value. Elsewhere a sheet begins there, as at the tip of a disc.
-std::vector<std::array<bool, 2>> end_on_single_values(const Surface& surface,
-                                                      std::span<const Bracket> gaps,
-                                                      std::span<const Search> searches,
-                                                      const BisectedVector& bisected) {
-  std::vector<std::array<bool, 2>> result(gaps.size(), {false, false});
-  if (!bisected.are_positions) return result;
-  struct End {
-    std::size_t line, end;
-  };
-  std::vector<End> ends;
-  std::vector<dvec2> around;
-  const ParameterBox domain = box_of(surface.domain);
-  for (std::size_t k = 0; k < gaps.size(); ++k) {
-    if (searches[k].found.kind != Discontinuity::Jump) continue;
-    const Line& line = gaps[k].whole;
-    const double near = std::min(kSliver * range_along(surface, line),
-                                 kOnEnd * glm::distance(line[0], line[1]));
-    for (const std::size_t end : {0U, 1U}) {
-      const double distance = glm::distance(searches[k].ends[end], line[end]);
-      if (distance == 0 || distance > near) continue;
-      ends.push_back({k, end});
-      for (const dvec2& way : kEightWays)
-        around.push_back(line[end] + kStays * kSliver * domain.size() * way);
-      around.push_back(line[end]);
-    }
-  }
-  if (ends.empty()) return result;
-  const std::vector<dvec3> found = evaluate_positions(surface, around, 1);
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    const std::size_t first = (kEightWays.size() + 1) * i;
-    const auto is_same = [&](std::size_t way) {
-      const std::size_t place = first + way % kEightWays.size();
-      return nearest_in(domain, around[place]) == around[place] &&
-             gap_between(found[place], found[first + kEightWays.size()]) < bisected.delta;
-    };
-    bool is_sheet = false;
-    for (std::size_t way = 0; way < kEightWays.size(); ++way)
-      is_sheet = is_sheet || (is_same(way) && is_same(way + 1));
-    result[ends[i].line][ends[i].end] = !is_sheet;
-  }
-  return result;
-}
-
-/// Moves ends of jumps outward. At a jump a formula may have a value of its own, as sign(0) is 0,
-/// for some doubles: it belongs to neither side. An end moves to the last place outward whose value
-/// is far from the one before, within its line. If that is the outermost place, the surface is
-/// steep, and the last moves, each larger than the one before, do not count. Where the end moves all
-/// the way it may go to infinity.
-void look_outward(const Surface& surface, std::span<const Bracket> gaps, std::span<Search> searches,
-                  const BisectedVector& bisected, unsigned threads) {
-  std::vector<std::size_t> jumps;
-  std::vector<dvec2> uv;
-  const dvec2 range = box_of(surface.domain).size();
+/// Corrects the kinds and ends of jumps by what is outward of them.
+void correct_jumps(const Surface& surface, std::span<const Bracket> gaps,
+                   std::span<Search> searches, const BisectedVector& bisected, unsigned threads) {
+  std::vector<std::size_t> numbers;
+  std::vector<LeftGap> left;
   for (std::size_t k = 0; k < searches.size(); ++k) {
     const Search& search = searches[k];
     if (search.found.kind != Discontinuity::Jump) continue;
-    jumps.push_back(k);
-    const Line& line = gaps[k].whole;
-    const dvec2 unit = unit_of_rounding(search, line, range);
-    for (const double steps : kOutward) {
-      uv.push_back(within(line, 0, search.ends[0] - steps * unit));
-      uv.push_back(within(line, 1, search.ends[1] + steps * unit));
-    }
+    numbers.push_back(k);
+    left.push_back({gaps[k].whole, search.ends, search.at_ends, search.is_between});
   }
-  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
-  const auto are_single = end_on_single_values(surface, gaps, searches, bisected);
-  const double most = kMostUnit * kOutward.back();
-  for (std::size_t k = 0; k < jumps.size(); ++k) {
-    Search& jump = searches[jumps[k]];
-    const std::size_t first = 2 * k * kOutward.size();
-    const Line& line = gaps[jumps[k]].whole;
-    const double far = most * range_along(surface, line);
-    const auto moved = [&](std::size_t end) {
-      if (are_single[jumps[k]][end])
-        return OutwardEnd{line[end], jump.at_ends[end], jump.at_ends[end]};
-      return moved_outward(jump, end, far, std::span(uv).subspan(first),
-                           std::span(points).subspan(first), bisected);
-    };
-    const std::array ends = {moved(0), moved(1)};
-    jump.found.ends = {ends[0].uv, ends[1].uv};
-    // Normals may turn slowly into a crease.
-    const bool shrinks = gap_between(ends[0].value, ends[1].value) <
-                         kShrinks * gap_between(ends[0].far, ends[1].far);
-    if (!bisected.are_positions) continue;
-    const bool is_pole = ends[0].moves + ends[1].moves > kMostMoves;
-    if (is_pole) jump.found.kind = Discontinuity::Pole;
-    const auto is_noise = [&](std::size_t end) {
-      const std::size_t far = first + 2 * kFarOutward + end;
-      return moved_by_last_digit(points[far], uv[far]) > bisected.delta;
-    };
-    const bool is_closed =
-        jump.is_between && !is_pole &&
-        (gap_between(ends[0].value, ends[1].value) < bisected.delta || is_noise(0) || is_noise(1));
-    if (shrinks || is_closed) jump.found.kind = Discontinuity::None;
+  const std::vector<OutwardLook> looks = look_outward(surface, left, bisected, threads);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    searches[numbers[i]].found.kind = looks[i].kind;
+    searches[numbers[i]].found.ends = looks[i].ends;
   }
 }
 
@@ -434,7 +262,7 @@ std::vector<LocatedDiscontinuity> bisect_discontinuities(const Surface& surface,
     bisect_together(surface, searches, open, {kAllHalvings - plain, threads}, place, is_done);
   }
   for (const std::size_t k : open) finish(searches[k], at_last_digits(searches[k], bisected.delta));
-  if (bisected.halvings >= kAllHalvings) look_outward(surface, gaps, searches, bisected, threads);
+  if (bisected.halvings >= kAllHalvings) correct_jumps(surface, gaps, searches, bisected, threads);
   std::vector<LocatedDiscontinuity> result(searches.size());
   std::ranges::transform(searches, result.begin(), &Search::found);
   return result;

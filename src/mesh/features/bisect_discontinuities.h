@@ -5,18 +5,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "mesh/features/bisected_vector.h"
 #include "mesh/proof/continuity.h"
 #include "surface/surface.h"
 
 namespace saddle {
-
-enum class Discontinuity : std::uint8_t { None, Jump, Pole };
 
 /// A discontinuity on a line, between neighbours in double precision.
 struct LocatedDiscontinuity {
@@ -43,22 +40,6 @@ struct Bracket {
 /// A line on which positions may jump, from the surface at its ends.
 Bracket bracket_of(const Line& line, const Line& whole, const SurfacePoint& first,
                    const SurfacePoint& last);
-
-/// The vector that may jump, and how it is searched.
-struct BisectedVector {
-  std::function<dvec3(const SurfacePoint&)> value;  ///< not finite where it is undefined
-  /// A smooth function that changes its sign where the vector jumps: of the values at the ends of
-  /// the rest of a line, and of a point there. Without it lines are halved.
-  std::function<double(const std::array<dvec3, 2>&, const SurfacePoint&)> height;
-  double delta;        ///< a smaller gap is closed
-  double beyond;       ///< a jump's end moves outward to values that differ from it by more
-  bool are_positions;  ///< the vectors are positions
-  int plain;           ///< halvings before heights are used
-  /// Halvings of a line. A gap that is left before the last digits counts as a jump.
-  int halvings = kAllHalvings;
-  /// The first part of a line is followed if its gap is larger than this; else the larger part.
-  double first_gap = std::numeric_limits<double>::infinity();
-};
 
 /// Goes on with the larger part of each gap until both parts are below `delta`, or there are no
 /// doubles left: then the vector jumps, or has a pole if the gap has grown on the way. A line with

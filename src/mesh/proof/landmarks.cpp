@@ -17,6 +17,7 @@
 #include "mesh/model/tolerances.h"
 #include "mesh/proof/box_groups.h"
 #include "mesh/proof/certify.h"
+#include "mesh/proof/slivers.h"
 #include "surface/box_subdivision.h"
 #include "surface/surface_enclosure.h"
 
@@ -34,9 +35,6 @@ constexpr double kThinHole = 4;
 constexpr double kStep = 0.2;
 /// A group of boxes that is 16 times longer than wide lies along a line of constant u or v.
 constexpr double kLong = 16;
-
-/// In sizes of the box around landmarks: the margin of a component on each side.
-constexpr double kComponentMargin = 0.5;
 
 /// Samples of a box, in shares of its sides: four beside the corners, and the middle. They avoid
 /// dyadic places, at which formulas have values of their own, as sign(u) at 0, and the diagonals
@@ -269,31 +267,23 @@ class LandmarkSearch {
     drop_slivers(uv, points, sides);
   }
 
-  /// Drops the sides of steps that are in sheets made of rounding.
+  /// Drops the sides of steps that are in slivers.
   void drop_slivers(std::span<const dvec2> uv, std::span<const SurfacePoint> points,
                     std::span<Sides> sides) const {
-    const ParameterBox domain = box_of(surface_.domain);
     std::vector<std::size_t> boxes;
-    std::vector<dvec2> beyond;  // the sides of each, away from the other side
+    std::vector<SheetStep> steps;
     for (std::size_t k = 0; k < sides.size(); ++k) {
       if (!sides[k].other) continue;
+      const std::size_t a = *sides[k].defined;
+      const std::size_t b = *sides[k].other;
       boxes.push_back(k);
-      const std::array ends = {uv[*sides[k].defined], uv[*sides[k].other]};
-      const double width = glm::length((ends[1] - ends[0]) / domain.size());
-      const dvec2 way = 2 * kSliver / width * (ends[1] - ends[0]);
-      beyond.push_back(nearest_in(domain, ends[0] - way));
-      beyond.push_back(nearest_in(domain, ends[1] + way));
+      steps.push_back({{uv[a], uv[b]}, {points[a].position, points[b].position}});
     }
-    if (boxes.empty()) return;
-    const std::vector<dvec3> found = evaluate_positions(surface_, beyond, threads_);
+    const auto in_slivers = are_in_slivers(surface_, steps, threads_);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       Sides& of = sides[boxes[i]];
-      const std::array at = {points[*of.defined].position, points[*of.other].position};
-      const double height = glm::distance(at[0], at[1]) / kStays;
-      const bool is_first_thin = glm::distance(at[0], found[2 * i]) > height;
-      if (!is_first_thin && !(glm::distance(at[1], found[2 * i + 1]) > height)) continue;
-      if (is_first_thin) of.defined = of.other;
-      of.other.reset();
+      if (in_slivers[i][0]) of.defined = of.other;
+      if (in_slivers[i][0] || in_slivers[i][1]) of.other.reset();
     }
   }
 
@@ -375,46 +365,6 @@ class LandmarkSearch {
 
 Landmarks find_landmarks(const Surface& surface, unsigned threads) {
   return LandmarkSearch(surface, threads).run();
-}
-
-std::optional<SmallComponent> component_of(const Landmarks& landmarks, std::span<const dvec2> met,
-                                           const Surface& surface, unsigned threads) {
-  if (std::ranges::all_of(landmarks.places, &Landmark::is_hole)) return std::nullopt;
-  const Domain& d = surface.domain;
-  const dvec2 least = glm::min(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
-  const dvec2 most = glm::max(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
-  // The component may reach into the boxes beside those in which it was found.
-  auto [low, high] = landmarks.around;
-  for (const dvec2& uv : met) {
-    low = glm::min(low, uv);
-    high = glm::max(high, uv);
-  }
-  const dvec2 margin = kComponentMargin * (high - low);
-  SmallComponent component{{glm::max(least, low - margin), glm::min(most, high + margin)}, {}};
-  low = component.where.low;
-  high = component.where.high;
-  // Rows begin at places of their own: no two points of a strip along u or v are at one place of
-  // it.
-  std::vector<dvec2> places;
-  for (std::uint64_t j = 0; j <= kDomainParts; ++j) {
-    for (std::uint64_t i = 0; i <= kDomainParts; ++i) {
-      const dvec2 part = dvec2(i, j) + dvec2(random_unit(2 * j), random_unit(2 * i + 1));
-      places.push_back(glm::mix(low, high, part / (kDomainParts + 1.0)));
-    }
-  }
-  Bounds around;
-  for (const SurfacePoint& point : evaluate(surface, places, threads)) {
-    if (!is_finite(point.position)) continue;
-    component.positions.push_back(point.position);
-    around.add(point.position);
-  }
-  // Landmarks crowd: they stand for the surface only where those points do not meet it.
-  const bool is_met = component.positions.size() > kDomainParts;
-  for (const Landmark& landmark : landmarks.places) {
-    if (landmark.is_hole() || (is_met && around.contains(landmark.position))) continue;
-    component.positions.push_back(landmark.position);
-  }
-  return component;
 }
 
 }  // namespace saddle

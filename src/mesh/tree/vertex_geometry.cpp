@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "eval/batch.h"
 #include "mesh/features/singular.h"
+#include "mesh/features/values_on_poles.h"
 #include "mesh/grid/weld.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"
@@ -20,6 +22,7 @@ namespace saddle {
 VertexGeometry::VertexGeometry(const Surface& surface, Grid& grid, DyadicVertices& vertices,
                                RevisionClock& revisions, Effort& effort, unsigned threads)
     : surface_(surface),
+      may_have_values_on_poles_(may_have_values_on_poles(surface)),
       grid_(grid),
       vertices_(vertices),
       revisions_(revisions),
@@ -36,7 +39,9 @@ void VertexGeometry::repair_root_grid(unsigned threads) {
   for (const std::size_t vertex : grid_.singular) uv.push_back(grid_.uv(vertex));
   note_rounding(grid_.singular, saddle::evaluate(surface_, uv, threads));
   replace_rounding(threads);
-  if (grid_.left_out_count == 0) return;
+  std::vector<std::uint32_t> all(may_have_values_on_poles_ ? grid_.vertex_count() : 0);
+  std::iota(all.begin(), all.end(), 0);
+  if (drop_values_on_poles(all, threads).empty() && grid_.left_out_count == 0) return;
   std::vector<std::uint32_t> undefined;
   for (std::uint32_t vertex = 0; vertex < grid_.vertex_count(); ++vertex) {
     defined_[vertex] = is_finite(grid_.mesh.position[vertex]) ? 1 : 0;
@@ -138,8 +143,39 @@ void VertexGeometry::finish_new(std::span<const std::uint32_t> vertices, unsigne
     join_pole(vertex);
     if (!is_defined(vertex)) undefined.push_back(vertex);
   }
+  const std::vector<std::uint32_t> dropped = drop_values_on_poles(vertices, threads);
+  undefined.insert(undefined.end(), dropped.begin(), dropped.end());
   fill_removable(undefined, threads);
   replace_rounding(threads);
+}
+
+/// Makes vertices with values on poles undefined. Returns them.
+std::vector<std::uint32_t> VertexGeometry::drop_values_on_poles(
+    std::span<const std::uint32_t> vertices, unsigned threads) {
+  if (!may_have_values_on_poles_ || vertices.empty()) return {};
+  Mesh& mesh = grid_.mesh;
+  std::vector<dvec2> places;
+  std::vector<dvec3> positions;
+  for (const std::uint32_t vertex : vertices) {
+    places.push_back(mesh.uv[vertex]);
+    positions.push_back(mesh.position[vertex]);
+  }
+  std::size_t looks = 0;
+  const double delta = kLimitsAgree * mesh.bounds.diagonal();
+  const auto on_poles = are_on_poles(surface_, places, positions, delta, threads, looks);
+  evaluations_ += looks;
+  effort_.add_places(looks);
+  std::vector<std::uint32_t> dropped;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (!on_poles[k]) continue;
+    const std::uint32_t vertex = vertices[k];
+    dropped.push_back(vertex);
+    mesh.position[vertex] = dvec3(std::numeric_limits<double>::quiet_NaN());
+    mesh.normal[vertex] = dvec3(0);
+    defined_[vertex] = 0;
+    make_singular(vertex);
+  }
+  return dropped;
 }
 
 void VertexGeometry::fill_removable(std::span<const std::uint32_t> undefined, unsigned threads) {

@@ -122,6 +122,8 @@ class VertexGeometry {
   void store(const NormalColumns& columns, std::size_t count, Vertex vertex, Uv uv);
   void finish_new(std::span<const std::uint32_t> vertices, unsigned threads);
   void repair_root_grid(unsigned threads);
+  std::vector<std::uint32_t> drop_values_on_poles(std::span<const std::uint32_t> vertices,
+                                                  unsigned threads);
   void fill_removable(std::span<const std::uint32_t> undefined, unsigned threads);
   void fill_at_jumps(std::span<const std::uint32_t> vertices, unsigned threads,
                      std::vector<std::uint32_t>& rest);
@@ -134,6 +136,7 @@ class VertexGeometry {
   void join_pole(std::uint32_t vertex);
 
   const Surface& surface_;
+  const bool may_have_values_on_poles_;
   Grid& grid_;
   DyadicVertices& vertices_;
   RevisionClock& revisions_;
