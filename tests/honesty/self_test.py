@@ -138,6 +138,7 @@ class OracleTest(unittest.TestCase):
             with self.subTest(options):
                 box = verdict.clip_box({"warnings": []}, options)
                 self.assertEqual(box.tolist(), [[-1, -2, -3], [1, 2, 3]])
+        self.assertIsNone(verdict.clip_box({"warnings": []}, ["--clip", "off"]))
 
     def test_measures_a_coarse_sphere(self):
         # Sagitta of the flattest chord: the middle of a quadrilateral's diagonal at the equator.

@@ -67,6 +67,8 @@ def clip_box(report, options=()):
     """The box of --clip X0:X1,Y0:Y1,Z0:Z1 or the one that warnings name, whose four digits are rounded
     inward, or to the mesh's own bounds."""
     asked = re.search(r"--clip[ =](\S+)", " ".join(options))
+    if asked and asked.group(1) == "off":
+        return None
     if asked:
         sides = asked.group(1).split(",")
         return np.array([[float(end) for end in side.split(":")] for side in sides]).T

@@ -109,6 +109,51 @@ TEST(JumpSearch, FindsJumpsToAnUprightRoot) {
   }
 }
 
+LocatedDiscontinuity found_on(const Surface& surface, const Line& line) {
+  std::size_t work = 0;
+  return find_discontinuities(surface, std::span(&line, 1), 0.003, 1, work)[0];
+}
+
+/// At v = -1 a place 2^30 units of rounding from the jump is a quarter of a millionth from it.
+TEST(JumpSearch, FindsJumpsBesideRootsOfHighOrder) {
+  for (const char* z : {"u<0?1:u^0.17", "u<0?1:u^0.25", "sign(u)*(1+abs(u)^0.2)"}) {
+    const auto found = found_on(height_field(z), {dvec2(-0.004, -1), dvec2(0.01, -1)});
+    ASSERT_EQ(found.kind, Discontinuity::Jump) << z;
+    for (const dvec2& end : found.ends) EXPECT_NEAR(end.x, 0, 1e-15) << z;
+    EXPECT_FALSE(found.between) << z;
+  }
+}
+
+/// Rounding makes cos(u) 1 as far as 1e-8 from 0, and beside that here and there.
+TEST(JumpSearch, EndsAtTheEndOfALineThatHasAValueOfItsOwn) {
+  const Surface step = height_field("floor(2*cos(u))");
+  for (const double v : {-1.0, -0.4667, 0.0, 0.3333}) {
+    for (const double from : {-0.0667, 0.00833, 0.00026}) {
+      const auto found = found_on(step, {dvec2(from, v), dvec2(0, v)});
+      ASSERT_EQ(found.kind, Discontinuity::Jump) << from << ' ' << v;
+      EXPECT_NEAR(found.ends[0].x, 0, 3e-8) << from << ' ' << v;
+      EXPECT_EQ(found.ends[1].x, 0) << from << ' ' << v;
+      EXPECT_FALSE(found.between) << from << ' ' << v;
+    }
+  }
+  // The sheet of a disc begins at its tip, which the line touches.
+  const Surface disc = height_field("((u-0.05)^2+((v-0.1)/0.4)^2<0.49)?1:0");
+  const auto found = found_on(disc, {dvec2(0.75, 0.0833), dvec2(0.75, 0.1)});
+  ASSERT_EQ(found.kind, Discontinuity::Jump);
+  EXPECT_LT(found.ends[1].y, 0.1);
+}
+
+TEST(JumpSearch, EndsBesidePolesThatHaveAValueOfTheirOwn) {
+  for (const char* z : {"(u==v)?0:1/(u-v)", "(abs(u-v)<1e-12)?0:1/(u-v)"}) {
+    const Surface guarded = height_field(z);
+    const auto found = found_on(guarded, {dvec2(0.5, 0.25), dvec2(0.5, 0.75)});
+    ASSERT_EQ(found.kind, Discontinuity::Pole) << z;
+    const std::vector<SurfacePoint> ends = evaluate(guarded, found.ends, 1);
+    EXPECT_GT(ends[0].position.z, 1e9) << z;
+    EXPECT_LT(ends[1].position.z, -1e9) << z;
+  }
+}
+
 /// Three jumps as far apart as the step of a difference, 1e-5 of the line and less.
 const char* const kThreeSteps = "(u>0.3?1:0)-2*(u>0.30001?1:0)+3*(u>0.300015?1:0)";
 
