@@ -93,19 +93,19 @@ OutwardEnd moved_outward(const LeftGap& jump, std::size_t end, double far,
   return moved;
 }
 
-/// Where a line ends beside a pole: at the farthest position outward, if there is a farther one
-/// than at the end of the gap. A pole may have a value of its own, as that of (u==v)?0:1/(u-v).
+/// Where a line ends beside a pole. A pole may have a value of its own, as that of
+/// (u==v)?0:1/(u-v): past it the surface leaps to farther positions.
 dvec2 end_beside_pole(const LeftGap& pole, std::size_t end, std::span<const dvec2> uv,
-                      std::span<const SurfacePoint> points) {
-  dvec2 place = pole.ends[end];
-  double farthest = kStays * safe_length(pole.at_ends[end]);
+                      std::span<const SurfacePoint> points, double delta) {
+  const dvec3& at_end = pole.at_ends[end];
   for (std::size_t next = end; next < 2 * kOutward.size(); next += 2) {
-    const double length = safe_length(points[next].position);
-    if (!std::isfinite(length) || !(length > farthest)) continue;
-    farthest = length;
-    place = uv[next];
+    const dvec3& position = points[next].position;
+    if (gap_between(position, at_end) < delta) continue;
+    const double length = safe_length(position);
+    const bool leaps = std::isfinite(length) && length > kStays * safe_length(at_end);
+    return leaps ? uv[next] : pole.ends[end];
   }
-  return place;
+  return pole.ends[end];
 }
 
 /// The range along a line.
@@ -175,7 +175,7 @@ OutwardLook judge(const LeftGap& gap, double far, std::span<const dvec2> uv,
   if (is_pole) {
     look.kind = Discontinuity::Pole;
     for (const std::size_t end : {0U, 1U}) {
-      const dvec2 beside = end_beside_pole(gap, end, uv, points);
+      const dvec2 beside = end_beside_pole(gap, end, uv, points, bisected.delta);
       if (beside != gap.ends[end]) look.ends[end] = beside;
     }
   }

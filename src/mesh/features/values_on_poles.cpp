@@ -9,6 +9,7 @@
 #include "mesh/features/approach.h"
 #include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
+#include "surface/normal.h"
 #include "surface/parameter_box.h"
 #include "surface/surface_enclosure.h"
 
@@ -42,6 +43,8 @@ std::vector<bool> are_on_poles(const Surface& surface, std::span<const dvec2> pl
   std::vector<Line> ways;
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (!is_finite(positions[k]) || glm::distance(positions[k], near[k]) <= delta) continue;
+    // Doubles may miss a pole: tan(pi/2) is 1.6e16.
+    if (safe_length(positions[k]) > safe_length(near[k])) continue;
     steep.push_back(k);
     for (const dvec2& way : kFourWays)
       ways.push_back({places[k], places[k] + 0.25 * domain.size() * (way + aslant)});
