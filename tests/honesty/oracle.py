@@ -37,8 +37,8 @@ def is_solid(surface, st, small, rng, precise=False):
     """Whether values at places are shared by an open set beside them; single values count as none."""
     values = surface(st)
     solid = np.zeros(len(st), dtype=bool)
-    least = UNITS_AWAY * surface.rounding()
-    for radius in {max(radius, least) for radius in ((PRECISE_RADIUS,) if precise else RADII)}:
+    radii = [PRECISE_RADIUS] if precise else RADII
+    for radius in np.maximum(radii, UNITS_AWAY * surface.rounding()):
         angles = 2 * np.pi * (np.arange(NEIGHBOURS) + rng.random()) / NEIGHBOURS
         around = st[:, None] + radius * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
         kept = ((around >= 0) & (around <= 1)).all(axis=-1)

@@ -264,14 +264,16 @@ std::vector<SurfacePoint> BoundaryDistance::evaluate_ends(
     if (steep.empty()) break;
     const auto nearer =
         sheet_ends(surface_, ways, {delta_, kHalvingsToNearly, clip_}, threads_, looks_);
+    std::vector<dvec2> nearer_uv;
+    nearer_uv.reserve(steep.size());
     for (std::size_t i = 0; i < steep.size(); ++i) {
       SheetEnd& end = *ends[steep[i]];
       const bool is_jump = nearer[i] && nearer[i]->kind == SheetEnd::Kind::Jump;
       has_moved = has_moved || (is_jump && nearer[i]->uv != end.uv);
       if (is_jump) end = *nearer[i];
-      uv[i] = end.uv;
+      nearer_uv.push_back(end.uv);
     }
-    const auto at_nearer = evaluate(surface_, std::span(uv).first(steep.size()), threads_);
+    const auto at_nearer = evaluate(surface_, nearer_uv, threads_);
     evaluations_ += steep.size();
     for (std::size_t i = 0; i < steep.size(); ++i) points[steep[i]] = at_nearer[i];
   }

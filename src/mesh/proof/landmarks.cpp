@@ -146,6 +146,7 @@ class LandmarkSearch {
       sides.push_back(sides_of(std::span(points).subspan(first, kSamplesOfBox.size()), first));
     }
     drop_slopes(uv, points, sides);
+    drop_slivers(uv, points, sides);
     for (std::size_t k = 0; k < open.size(); ++k) {
       if (!open[k].is_bounded) sides[k] = {};
     }
@@ -224,61 +225,58 @@ class LandmarkSearch {
     return sides;
   }
 
-  /// A line between the two sides of a step, which is bisected.
-  struct Step {
-    std::size_t box;
-    std::array<dvec2, 2> line;
-    std::array<dvec3, 2> ends;
+  /// Lines between the two sides of steps, and the boxes that these are in.
+  struct Steps {
+    std::vector<std::size_t> boxes;
+    std::vector<SheetStep> lines;
   };
+  static Steps steps_of(std::span<const dvec2> uv, std::span<const SurfacePoint> points,
+                        std::span<const Sides> sides) {
+    Steps steps;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (!sides[k].other) continue;
+      const std::size_t a = *sides[k].defined;
+      const std::size_t b = *sides[k].other;
+      steps.boxes.push_back(k);
+      steps.lines.push_back({{uv[a], uv[b]}, {points[a].position, points[b].position}});
+    }
+    return steps;
+  }
+
   /// Bisects the lines between the sides of steps, and drops the steps that shrink with them. One
   /// that stays as high, within kStays, is no slope or cusp of the size of its box. One that grows
   /// is a pole: points beside it are no landmarks.
   void drop_slopes(std::span<const dvec2> uv, std::span<const SurfacePoint> points,
                    std::span<Sides> sides) const {
-    std::vector<Step> steps;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      if (!sides[k].other) continue;
-      const std::size_t a = *sides[k].defined;
-      const std::size_t b = *sides[k].other;
-      steps.push_back({k, {uv[a], uv[b]}, {points[a].position, points[b].position}});
-    }
+    auto [boxes, steps] = steps_of(uv, points, sides);
     if (steps.empty()) return;
     for (int k = 0; k < kHalvingsToNearly; ++k) {
       std::vector<dvec2> middles;
       middles.reserve(steps.size());
-      for (const Step& step : steps) middles.push_back(0.5 * (step.line[0] + step.line[1]));
+      for (const SheetStep& step : steps) middles.push_back(0.5 * (step.line[0] + step.line[1]));
       const std::vector<SurfacePoint> found = evaluate(surface_, middles, threads_);
       for (std::size_t i = 0; i < steps.size(); ++i) {
-        Step& step = steps[i];
+        SheetStep& step = steps[i];
         const dvec3& p = found[i].position;
         const std::size_t nearer =
-            glm::distance(step.ends[0], p) < glm::distance(p, step.ends[1]) ? 0 : 1;
+            glm::distance(step.at_ends[0], p) < glm::distance(p, step.at_ends[1]) ? 0 : 1;
         step.line[nearer] = middles[i];
-        step.ends[nearer] = p;
+        step.at_ends[nearer] = p;
       }
     }
-    for (const Step& step : steps) {
-      Sides& of = sides[step.box];
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      Sides& of = sides[boxes[i]];
       const double width = glm::distance(points[*of.defined].position, points[*of.other].position);
-      const double left = glm::distance(step.ends[0], step.ends[1]);
+      const double left = glm::distance(steps[i].at_ends[0], steps[i].at_ends[1]);
       of.is_pole = !(left <= kStays * width);  // true for NaN
       if (left <= width / kStays) of.other.reset();
     }
-    drop_slivers(uv, points, sides);
   }
 
   /// Drops the sides of steps that are in slivers.
   void drop_slivers(std::span<const dvec2> uv, std::span<const SurfacePoint> points,
                     std::span<Sides> sides) const {
-    std::vector<std::size_t> boxes;
-    std::vector<SheetStep> steps;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      if (!sides[k].other) continue;
-      const std::size_t a = *sides[k].defined;
-      const std::size_t b = *sides[k].other;
-      boxes.push_back(k);
-      steps.push_back({{uv[a], uv[b]}, {points[a].position, points[b].position}});
-    }
+    const auto [boxes, steps] = steps_of(uv, points, sides);
     const auto in_slivers = are_in_slivers(surface_, steps, threads_);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       Sides& of = sides[boxes[i]];
