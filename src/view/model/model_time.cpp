@@ -30,7 +30,7 @@ void Model::pass(Clock::time_point now) {
   if (last_tick_ && now - *last_tick_ < kStep) return;
   const double passed = last_tick_ ? std::chrono::duration<double>(now - *last_tick_).count() : 0;
   last_tick_ = now;
-  if (view_.playing) advance_time(passed);
+  if (view_.playing && passed > 0) advance_time(passed);
   if (played_) advance_played(passed);
 }
 

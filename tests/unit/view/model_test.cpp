@@ -354,6 +354,18 @@ TEST(Model, TakesTheMomentAndPlayingBack) {
   EXPECT_EQ(model->scene().t, 0) << "a drag of the slider is one";
 }
 
+TEST(Model, MeshesNothingBeforeTimeHasPassed) {
+  PlaneModel model("1");
+  edit(model, [](Scene& scene) { scene.surfaces[0].z = "t*u"; });
+  ASSERT_FALSE(model->is_meshing());
+  model->act(Action::Play);
+  const auto begin = Model::Clock::now();
+  model->pass(begin);
+  EXPECT_FALSE(model->is_meshing()) << "the surface of this moment is shown already";
+  model->pass(begin + std::chrono::milliseconds(50));
+  EXPECT_TRUE(model->is_meshing());
+}
+
 TEST(Model, KeepsTheNextLightsThroughUndo) {
   PlaneModel model("1");
   const std::size_t own = model->scene().lights.size();
