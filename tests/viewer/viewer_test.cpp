@@ -151,13 +151,15 @@ TEST_F(ViewerTest, UndoesAnEdit) {
 }
 
 TEST_F(ViewerTest, PlaysAndStops) {
-  open({"z=sin(3*u+20*t)", "u=-1:1", "v=-1:1"});
+  open({"z=sin(3*u+5*t)", "u=-1:1", "v=-1:1"});  // no moment is like another
   const Image before = settled_picture();
+  // A picture of the same moment may be coarser.
+  const auto has_moved = [&](const Image& now) { return compare_images(now, before).error > 0.1; };
   act("key space");
-  EXPECT_TRUE(eventually([&] { return differ(picture(), before); }));
+  EXPECT_TRUE(eventually([&] { return has_moved(picture()); }));
   act("key space");
   const Image after = settled_picture();
-  EXPECT_TRUE(differ(after, before));
+  EXPECT_TRUE(has_moved(after));
   EXPECT_FALSE(differ(picture(), after));
 }
 
