@@ -58,7 +58,7 @@ UniformRequest uniform_request(const Scene& scene, const SurfaceSpec& spec, cons
 /// The box, open at the faces that the surface does not go through on its way to its poles, or to
 /// a place nearby, as exp(1/u) does on one side of its own.
 Bounds open_where_it_stays(Bounds box, const Bounds& beside_poles) {
-  const dvec3 near = box.size();  // even ln goes farther on its way
+  const dvec3 near = kFarApart * box.size();
   for (int k = 0; k < 3; ++k) {
     if (!(beside_poles.low[k] < box.low[k] - near[k])) box.low[k] = -kInfinity;
     if (!(beside_poles.high[k] > box.high[k] + near[k])) box.high[k] = kInfinity;

@@ -14,16 +14,12 @@
 #include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"
+#include "surface/parameter_box.h"
 #include "surface/surface_enclosure.h"
 
 namespace saddle {
 
 namespace {
-
-/// A formula may lose its digits beside a pole, as 1/(1+cos(u)) does at pi. The surface has a pole,
-/// too, if each of the first 3 moves is 8 times the one before.
-constexpr double kLeaps = 8;
-constexpr std::size_t kFirstSteps = 3;
 
 /// Halvings, after kFirstHalvings, that leave the parts that end_in_gaps() looks at, of a line on
 /// which bounds prove something by then. On others they are too wide for any part.
@@ -49,23 +45,55 @@ dvec2 approach(const Line& line, double share) {
   return line[0] + widening(line) * share * (line[1] - line[0]);
 }
 
-/// Whether the first moves grow as beside a pole.
-bool leaps(std::span<const SurfacePoint> points, double delta) {
-  double before = 0;
-  for (std::size_t i = 0; i < kFirstSteps; ++i) {
-    const double way = safe_length(points[i + 1].position - points[i].position);
-    if (!(way > std::max(delta, kLeaps * before))) return false;
-    before = way;
+/// Whether the moves from position to position do not shrink towards the first, which may be one of
+/// ln(0).
+bool moves_on(std::span<const dvec3> positions, double delta) {
+  if (!is_finite(positions.front())) positions = positions.subspan(1);
+  double size = delta;  // squares of what is near the largest of doubles would overflow
+  for (const dvec3& position : positions) size = std::max(size, safe_length(position));
+  if (!std::isfinite(size)) return false;
+  dvec3 farther(0);
+  for (std::size_t i = positions.size() - 1; i > 0; --i) {
+    const dvec3 way = positions[i - 1] / size - positions[i] / size;
+    if (!(glm::length(way) > delta / size)) return false;
+    if (!(glm::dot(way, farther) >= kShrinks * glm::dot(farther, farther))) return false;
+    farther = way;
   }
   return true;
 }
 
 /// Whether bounds of the surface around a line's first end are finite. The box reaches beyond the
-/// end as far as the first look is before it, so that it contains a pole that rounding misplaces.
-bool is_bounded(SurfaceEnclosure& enclosure, const Line& line) {
-  const dvec2 reach = widening(line) * kApproach.front() * (line[1] - line[0]);
+/// end as far as before it, a share of the line, so that it contains a pole that rounding
+/// misplaces.
+bool is_bounded(SurfaceEnclosure& enclosure, const Line& line, double share) {
+  const dvec2 reach = share * (line[1] - line[0]);
   return std::ranges::all_of(enclosure.enclose({line[0] - reach, line[0] + reach}),
                              [](const Interval& a) { return std::isfinite(a.high - a.low); });
+}
+
+/// Adds to the lines that diverge those on which the surface does until rounding ends it.
+void look_beside_poles(const Surface& surface, std::span<const Line> lines, double delta,
+                       unsigned threads, SurfaceEnclosure& enclosure, std::vector<bool>& diverges) {
+  const dvec2 range = box_of(surface.domain).size();
+  const auto share = [&](const Line& line, double of_range) {
+    return of_range / glm::length((line[1] - line[0]) / range);
+  };
+  std::vector<std::size_t> numbers;
+  std::vector<dvec2> places;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (diverges[k] || !(share(lines[k], kBesidePole.back()) <= 1)) continue;
+    numbers.push_back(k);
+    for (const double at : kBesidePole)
+      places.push_back(glm::mix(lines[k][0], lines[k][1], share(lines[k], at)));
+  }
+  if (numbers.empty()) return;
+  const std::vector<dvec3> found = evaluate_positions(surface, places, threads);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::size_t k = numbers[i];
+    const auto along = std::span(found).subspan(i * kBesidePole.size(), kBesidePole.size());
+    diverges[k] = moves_on(along, delta) &&
+                  !is_bounded(enclosure, lines[k], share(lines[k], kBesidePole.front()));
+  }
 }
 
 }  // namespace
@@ -77,7 +105,7 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
     for (const double share : kApproach) uv.push_back(approach(line, share));
   }
   const auto points = evaluate(surface, uv, threads);
-  std::optional<SurfaceEnclosure> enclosure;
+  SurfaceEnclosure enclosure(surface, Bounded::Position);
   std::vector<bool> result;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const std::size_t begin = k * kApproach.size();
@@ -96,10 +124,10 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
       const double before = glm::length(way(i));
       goes_on = goes_on && glm::dot(way(i), way(i + 1)) >= kShrinks * before * before;
     }
-    goes_on = goes_on || leaps(std::span(points).subspan(begin, kApproach.size()), delta);
-    if (goes_on && !enclosure) enclosure.emplace(surface, Bounded::Position);
-    result.push_back(goes_on && !is_bounded(*enclosure, lines[k]));
+    result.push_back(goes_on &&
+                     !is_bounded(enclosure, lines[k], widening(lines[k]) * kApproach.front()));
   }
+  look_beside_poles(surface, lines, delta, threads, enclosure, result);
   return result;
 }
 

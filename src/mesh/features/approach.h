@@ -15,10 +15,16 @@ namespace saddle {
 /// The places that diverge() evaluates, in parts of the line.
 inline constexpr std::array kApproach = {0x1p-12, 0x1p-16, 0x1p-20, 0x1p-24, 0x1p-28, 0x1p-32};
 
+/// Parts of a range. As near to a pole as the first, rounding may leave no digit of a formula: that
+/// of ln(1-sin(u+v)) ends 1e-8 before its pole, with jumps. diverge() evaluates the other places
+/// too, if the line is as long.
+inline constexpr std::array kBesidePole = {0x1p-22, 0x1p-20, 0x1p-18, 0x1p-16};
+
 /// Whether the surface goes to infinity on the way from the second end of each line to the first.
 /// It is evaluated at places 16 times as near each. If it converges, it moves by less each time,
 /// like sqrt. If it diverges, it moves by as much or more in one direction: ln(x), which is no
 /// less than -745 at the least double, moves by the same each time. A move below `delta` converges.
+/// Beside a pole where rounding ends the surface, it diverges at the places of kBesidePole.
 std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, double delta,
                           unsigned threads);
 

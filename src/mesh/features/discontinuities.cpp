@@ -9,11 +9,13 @@
 
 #include <glm/common.hpp>
 
+#include "mesh/features/approach.h"
 #include "mesh/features/jumps_and_poles.h"
 #include "mesh/features/narrow_parts.h"
 #include "mesh/features/search_chunks.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/proof/continuity.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 
@@ -89,18 +91,22 @@ Line between(const Line& a, const Line& b, const Line& line) {
   return is_first ? Line{a[1], b[0]} : Line{b[1], a[0]};
 }
 
-/// Discontinuities this near are one. Rounding makes false poles beside a true one: where it moves
-/// a parameter by e, values change by more than the tolerance as far from the pole as about the
-/// square root of e times the line's length.
-double same_of(const Line& line, bool are_poles) {
+/// Discontinuities of a line this near to each other are one. Rounding makes false poles and jumps
+/// beside a pole: as far as kBesidePole, and where it moves a parameter by e, values change by more
+/// than the tolerance as far from the pole as about the square root of e times the line's length.
+double same_of(const Line& line, const dvec2& range, bool is_pole) {
   const double length = length_of(line);
+  const double same = kSame * length;
+  if (!is_pole) return same;
   double rounding = 0;
-  for (int k = 0; are_poles && k < 2; ++k) {
+  for (int k = 0; k < 2; ++k) {
     if (line[0][k] == line[1][k]) continue;
     const double size = std::max(std::fabs(line[0][k]), std::fabs(line[1][k]));
     rounding = std::max(rounding, kRounding * size);
   }
-  return std::max(kSame * length, std::sqrt(rounding) * std::sqrt(length));
+  const double beside_pole =
+      kBesidePole.front() * length / glm::length((line[1] - line[0]) / range);
+  return std::max({same, beside_pole, std::sqrt(rounding) * std::sqrt(length)});
 }
 
 /// Whether two discontinuities begin or end at one place, as all do that rounding makes beside a
@@ -110,13 +116,14 @@ bool share_end(const Line& a, const Line& b) {
 }
 
 /// Adds a discontinuity in an unproved part to the known one of its line.
-void add(const LocatedDiscontinuity& more, const Line& line, LocatedDiscontinuity& known) {
+void add(const LocatedDiscontinuity& more, const Line& line, const dvec2& range,
+         LocatedDiscontinuity& known) {
   if (more.kind == Discontinuity::None) return;
   const Line gap = between(known.ends, more.ends, line);
-  const bool are_poles = known.kind == Discontinuity::Pole && more.kind == Discontinuity::Pole;
+  const bool is_pole = known.kind == Discontinuity::Pole || more.kind == Discontinuity::Pole;
   if (known.kind == Discontinuity::None) {
     known = more;
-  } else if (!share_end(more.ends, known.ends) && length_of(gap) > same_of(line, are_poles)) {
+  } else if (!share_end(more.ends, known.ends) && length_of(gap) > same_of(line, range, is_pole)) {
     known.between = middle_of(gap);
   } else if (more.kind == Discontinuity::Pole) {
     known.kind = Discontinuity::Pole;
@@ -271,7 +278,9 @@ class LineSearch {
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
       return std::pair(parts_[a].line, distances[a]) < std::pair(parts_[b].line, distances[b]);
     });
-    for (const std::size_t i : order) add(more_[i], lines_[parts_[i].line], found_[parts_[i].line]);
+    const dvec2 range = box_of(surface_.domain).size();
+    for (const std::size_t i : order)
+      add(more_[i], lines_[parts_[i].line], range, found_[parts_[i].line]);
     for (std::size_t k = 0; k < lines_.size(); ++k) {
       if (is_complete_[k]) found_[k].jumps = std::move(jumps_[k]);
     }

@@ -252,6 +252,12 @@ TEST(Poles, AreToldFromJumpsWhereRoundingEndsTheWayToThem) {
   const Line way = {dvec2(kPi, 0.1), dvec2(3.4, 0.1)};
   const Domain domain = {-5, 5, -5, 5};
   EXPECT_TRUE(diverge(height_field("1/(1+cos(u))", domain), std::span(&way, 1), 1e-2, 1)[0]);
+  // The logarithm ends as near to its pole, where a search may take its last step for a jump.
+  const Line to_step = {dvec2(1, kPi / 2 - 1 + 5e-8), dvec2(1.01, kPi / 2 - 1 + 5e-8)};
+  for (const char* z : {"ln(1-sin(u+v))", "ln(abs(sec(u+v)+tan(u+v)))", "atanh(sin(u+v))"})
+    EXPECT_TRUE(diverge(height_field(z, domain), std::span(&to_step, 1), 1e-2, 1)[0]) << z;
+  for (const char* z : {"(1-sin(u+v))^.05", "ln(1.0000001-sin(u+v))"})
+    EXPECT_FALSE(diverge(height_field(z, domain), std::span(&to_step, 1), 1e-2, 1)[0]) << z;
   const Line to_peak = {dvec2(0, 0.1), dvec2(0.3, 0.1)};
   EXPECT_FALSE(diverge(height_field("1/(u^2+1e-8)"), std::span(&to_peak, 1), 1e-2, 1)[0]);
   MeshRequest options = within_share(1e-3, 3);
