@@ -8,6 +8,7 @@
 #include "base/numbers.h"
 #include "mesh/features/approach.h"
 #include "mesh/model/tolerances.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 
@@ -42,6 +43,23 @@ bool is_beyond_doubles(const Surface& surface, unsigned threads, Line& ends) {
   return true;
 }
 
+/// Whether there is an undefined part between the ends of a gap, made of rounding and with a sheet
+/// on either side, as where a jump meets the rim of a hole. The ends are then moved to it.
+bool is_between_sheets(const Surface& surface, double delta, unsigned threads, Line& ends) {
+  const dvec2 middle = near_middle(ends);
+  const dvec3 value = evaluate_positions(surface, std::array{middle}, 1)[0];
+  if (!glm::any(glm::isnan(value))) return false;
+  const std::array<Line, 2> ways = {Line{ends[0], middle}, Line{ends[1], middle}};
+  const std::vector<dvec2> rims = last_defined(surface, ways, kAllHalvings, threads);
+  const double width = glm::length((rims[1] - rims[0]) / box_of(surface.domain).size());
+  // One place without a value, as that of sin(1/(u+v)), has waves beside it.
+  if (width < kSame || width > kBesidePole.front()) return false;
+  const std::vector<dvec3> at = evaluate_positions(surface, rims, 1);
+  if (!(glm::distance(at[0], at[1]) > delta)) return false;
+  ends = {rims[0], rims[1]};
+  return true;
+}
+
 /// Whether the surface diverges on either side of the discontinuities found on lines.
 std::vector<bool> diverge_beside(const Surface& surface, std::span<const Line> lines,
                                  std::span<const LocatedDiscontinuity> found, double delta,
@@ -73,7 +91,8 @@ void verify(const Surface& surface, std::span<const Line> lines, double delta, u
     const dvec2 middle = near_middle(ends);
     const bool is_gap =
         (middle == ends[0] || middle == ends[1]) && length_of(ends) <= kSame * length_of(lines[k]);
-    found[k].kind = is_gap ? Discontinuity::Jump : Discontinuity::None;
+    const bool is_jump = is_gap || is_between_sheets(surface, delta, threads, ends);
+    found[k].kind = is_jump ? Discontinuity::Jump : Discontinuity::None;
   }
 }
 
@@ -115,7 +134,8 @@ std::vector<LocatedDiscontinuity> look_at(const Surface& surface, std::span<cons
     if (is_pole) found[i].kind = Discontinuity::Pole;
     if (!is_pole && found[i].kind == Discontinuity::Pole &&
         !is_beyond_doubles(surface, threads, found[i].ends)) {
-      found[i].kind = Discontinuity::None;
+      const bool is_jump = is_between_sheets(surface, delta, threads, found[i].ends);
+      found[i].kind = is_jump ? Discontinuity::Jump : Discontinuity::None;
     }
   }
   return found;

@@ -188,6 +188,22 @@ TEST(JumpSearch, FindsOnePoleWhereRoundingMakesMore) {
   }
 }
 
+TEST(JumpSearch, FindsJumpsAcrossTheTipOfAHole) {
+  const Surface ring =
+      height_field("(u^2+v^2<4&&u^2+v^2>1)?atan2(v,u):nan", {-2.5, 2.5, -2.5, 2.5});
+  const Surface sectors = height_field("(abs(v)<abs(u))?atan2(v,u):nan");
+  const Surface hole = height_field("(hypot(u,v)>1e-8)?v:nan");
+  const Line beside_rim = {dvec2(-1, -5e-7), dvec2(-1, 2e-6)};
+  const Line beside_tip = {dvec2(-1.4e-7, 3e-8), dvec2(1.4e-7, 3e-8)};
+  const auto kind_of = [](const Surface& surface, const Line& line) {
+    std::size_t work = 0;
+    return find_discontinuities(surface, std::span(&line, 1), 0.01, 1, work)[0].kind;
+  };
+  EXPECT_EQ(kind_of(ring, beside_rim), Discontinuity::Jump);
+  EXPECT_EQ(kind_of(sectors, beside_tip), Discontinuity::Jump);
+  EXPECT_EQ(kind_of(hole, beside_tip), Discontinuity::None) << "both sides are of one sheet";
+}
+
 TEST(JumpSearch, TellsPolesApartWhereTheOtherParameterIsLarge) {
   const Surface poles = height_field("1e-9/((u-0.31)*(u-0.33))", {0, 1, 0, 2e8});
   for (const double v : {0.3, 1e8}) {
