@@ -97,7 +97,8 @@ class Cutter {
     if (cuts_ > boundaries_ && faces_ % 2 == 1) return {};  // so would a pole that leaves unnoticed
     if (cuts_ == boundaries_ + 1 && creases_.size() == 1) join_at_crease_in_strip();
     if (cuts_ > 0) join_ends();
-    const bool is_parted = lines_ > 1 || thin_gaps_ > 0 || (faces_ > 0 && has_opposite_gaps);
+    const bool may_cross = has_opposite_gaps && (faces_ > 0 || !is_thin_strip());
+    const bool is_parted = lines_ > 1 || thin_gaps_ > 0 || may_cross;
     if (cuts_ == boundaries_ && !is_parted && (has_middle || is_thin_strip())) join_runs();
     if (folded && cuts_ < 2) cut_at_singular_points();
     std::vector<Polygon> result;
@@ -238,9 +239,8 @@ class Cutter {
     return std::ranges::count_if(runs_, is_there) == 2 && std::ranges::any_of(runs_, &Run::is_thin);
   }
 
-  /// Joins the runs between boundaries that leave the middle whole: they only cut corners off. The
-  /// caller excludes undefined lines, which go from vertex to vertex, and boundaries at infinity,
-  /// which may cross in the leaf.
+  /// Joins the runs between boundaries that only cut corners off. The caller excludes undefined
+  /// lines, and boundaries that may cross in the leaf, as at infinity or on a chessboard.
   void join_runs() {
     Polygon& whole = runs_.front().polygon;
     for (std::size_t k = 1; k < runs_.size(); ++k) {

@@ -292,6 +292,26 @@ TEST(Rims, KeepTheToleranceInAPointBetweenAJumpAndARim) {
 }
 
 /// On the rim sign() is 0: a value of its own there is no part of the surface.
+TEST(Rims, ThatCrossLeaveTheSheetsBetweenThemApart) {
+  struct Sheets {
+    const char* z;
+    double highest;  ///< of a triangle on one of them
+  };
+  for (const auto& [z, highest] :
+       {Sheets{"((u-.13)*(v-.17)>0)?sign(u-.13):nan", 0},
+        {"(mod(floor(3*u-.1)+floor(3*v-.2),2)==0)?floor(3*u-.1)/3:nan", 0},
+        {"(u*v>0)?atan2(v,u):nan", std::numbers::pi / 2},
+        {"(abs(v)<abs(u))?atan2(v,u):nan", std::numbers::pi / 2}}) {
+    const Mesh mesh = mesh_of_rim(z, 1e-3).mesh;
+    ASSERT_FALSE(mesh.triangles.empty()) << z;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const auto [low, high] =
+          std::minmax({mesh.position[a].z, mesh.position[b].z, mesh.position[c].z});
+      ASSERT_LE(high - low, highest + 1e-9) << z;
+    }
+  }
+}
+
 TEST(Rims, LeaveOutValuesOfTheirOwn) {
   const Surface surface = height_field("sign(u*sqrt(u+v))", {-2, 2, -2, 2});
   const MeshResult result = try_mesh(surface, within_share(1e-3)).value();
