@@ -45,21 +45,27 @@ dvec2 approach(const Line& line, double share) {
   return line[0] + widening(line) * share * (line[1] - line[0]);
 }
 
-/// Whether the moves from position to position do not shrink towards the first, which may be one of
-/// ln(0).
-bool moves_on(std::span<const dvec3> positions, double delta) {
-  if (!is_finite(positions.front())) positions = positions.subspan(1);
-  double size = delta;  // squares of what is near the largest of doubles would overflow
+/// Whether positions on the way to a place go on as they do beside a pole: no move is shorter, in
+/// its direction, than kShrinks of the one before.
+bool go_on(std::span<const dvec3> positions) {
+  double size = 0;  // squares of what is near the largest of doubles would overflow
   for (const dvec3& position : positions) size = std::max(size, safe_length(position));
-  if (!std::isfinite(size)) return false;
-  dvec3 farther(0);
-  for (std::size_t i = positions.size() - 1; i > 0; --i) {
-    const dvec3 way = positions[i - 1] / size - positions[i] / size;
-    if (!(glm::length(way) > delta / size)) return false;
-    if (!(glm::dot(way, farther) >= kShrinks * glm::dot(farther, farther))) return false;
-    farther = way;
+  dvec3 before(0);
+  for (std::size_t i = 1; i < positions.size(); ++i) {
+    const dvec3 way = positions[i] / size - positions[i - 1] / size;
+    if (!(glm::dot(way, before) >= kShrinks * glm::dot(before, before))) return false;
+    before = way;
   }
   return true;
+}
+
+/// Whether they go on by more than `delta` each time. The last may be that of ln(0).
+bool go_on_by(std::span<const dvec3> positions, double delta) {
+  if (!is_finite(positions.back())) positions = positions.first(positions.size() - 1);
+  for (std::size_t i = 1; i < positions.size(); ++i) {
+    if (!(safe_length(positions[i] - positions[i - 1]) > delta)) return false;
+  }
+  return go_on(positions);
 }
 
 /// Whether bounds of the surface around a line's first end are finite. The box reaches beyond the
@@ -76,12 +82,12 @@ void look_beside_poles(const Surface& surface, std::span<const Line> lines, doub
                        unsigned threads, SurfaceEnclosure& enclosure, std::vector<bool>& diverges) {
   const dvec2 range = box_of(surface.domain).size();
   const auto share = [&](const Line& line, double of_range) {
-    return of_range / glm::length((line[1] - line[0]) / range);
+    return of_range / length_in_ranges(line, range);
   };
   std::vector<std::size_t> numbers;
   std::vector<dvec2> places;
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    if (diverges[k] || !(share(lines[k], kBesidePole.back()) <= 1)) continue;
+    if (diverges[k] || !(share(lines[k], kBesidePole.front()) <= 1)) continue;
     numbers.push_back(k);
     for (const double at : kBesidePole)
       places.push_back(glm::mix(lines[k][0], lines[k][1], share(lines[k], at)));
@@ -91,8 +97,8 @@ void look_beside_poles(const Surface& surface, std::span<const Line> lines, doub
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const std::size_t k = numbers[i];
     const auto along = std::span(found).subspan(i * kBesidePole.size(), kBesidePole.size());
-    diverges[k] = moves_on(along, delta) &&
-                  !is_bounded(enclosure, lines[k], share(lines[k], kBesidePole.front()));
+    diverges[k] = go_on_by(along, delta) &&
+                  !is_bounded(enclosure, lines[k], share(lines[k], kBesidePole.back()));
   }
 }
 
@@ -104,27 +110,15 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
   for (const Line& line : lines) {
     for (const double share : kApproach) uv.push_back(approach(line, share));
   }
-  const auto points = evaluate(surface, uv, threads);
+  const std::vector<dvec3> found = evaluate_positions(surface, uv, threads);
   SurfaceEnclosure enclosure(surface, Bounded::Position);
   std::vector<bool> result;
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    const std::size_t begin = k * kApproach.size();
-    double size = delta;  // squares of what is near the largest of doubles would overflow
-    for (std::size_t i = 0; i < kApproach.size(); ++i) {
-      size = std::max(size, safe_length(points[begin + i].position));
-    }
-    const auto way = [&](std::size_t i) {
-      const std::size_t first = begin + i;
-      return points[first + 1].position / size - points[first].position / size;
-    };
+    const auto along = std::span(found).subspan(k * kApproach.size(), kApproach.size());
     // Each step is 16 times as near, until doubles run out beside 0.
     const double steps_left = kHalvingsToLeast / 4.0;
-    bool goes_on = steps_left * glm::length(way(kApproach.size() - 2)) > delta / size;
-    for (std::size_t i = 0; i + 2 < kApproach.size(); ++i) {
-      const double before = glm::length(way(i));
-      goes_on = goes_on && glm::dot(way(i), way(i + 1)) >= kShrinks * before * before;
-    }
-    result.push_back(goes_on &&
+    const double last_move = safe_length(along.back() - along[along.size() - 2]);
+    result.push_back(steps_left * last_move > delta && go_on(along) &&
                      !is_bounded(enclosure, lines[k], widening(lines[k]) * kApproach.front()));
   }
   look_beside_poles(surface, lines, delta, threads, enclosure, result);

@@ -15,10 +15,9 @@ namespace saddle {
 /// The places that diverge() evaluates, in parts of the line.
 inline constexpr std::array kApproach = {0x1p-12, 0x1p-16, 0x1p-20, 0x1p-24, 0x1p-28, 0x1p-32};
 
-/// Parts of a range. As near to a pole as the first, rounding may leave no digit of a formula: that
-/// of ln(1-sin(u+v)) ends 1e-8 before its pole, with jumps. diverge() evaluates the other places
-/// too, if the line is as long.
-inline constexpr std::array kBesidePole = {0x1p-22, 0x1p-20, 0x1p-18, 0x1p-16};
+/// Other places that it evaluates if the line is as long, in parts of the range. Nearer to a pole
+/// rounding may leave no digit of a formula: that of ln(1-sin(u+v)) ends 1e-8 before, with jumps.
+inline constexpr std::array kBesidePole = {0x1p-16, 0x1p-18, 0x1p-20, 0x1p-22};
 
 /// Whether the surface goes to infinity on the way from the second end of each line to the first.
 /// It is evaluated at places 16 times as near each. If it converges, it moves by less each time,

@@ -104,8 +104,7 @@ double same_of(const Line& line, const dvec2& range, bool is_pole) {
     const double size = std::max(std::fabs(line[0][k]), std::fabs(line[1][k]));
     rounding = std::max(rounding, kRounding * size);
   }
-  const double beside_pole =
-      kBesidePole.front() * length / glm::length((line[1] - line[0]) / range);
+  const double beside_pole = kBesidePole.back() * length / length_in_ranges(line, range);
   return std::max({same, beside_pole, std::sqrt(rounding) * std::sqrt(length)});
 }
 

@@ -31,33 +31,34 @@ std::vector<LocatedDiscontinuity> follow_positions(const Surface& surface,
   return bisect_positions(surface, gaps, {delta}, threads, work);
 }
 
-/// Whether values between the ends of a gap exceed the largest double. The ends are then moved to
-/// the last finite values.
-bool is_beyond_doubles(const Surface& surface, unsigned threads, Line& ends) {
-  const dvec2 middle = near_middle(ends);
-  const dvec3 value = evaluate(surface, std::array{middle}, 1)[0].position;
-  if (is_finite(value) || glm::any(glm::isnan(value))) return false;
-  const std::array<Line, 2> ways = {Line{ends[0], middle}, Line{ends[1], middle}};
+/// The last places at which the surface is defined on the ways from the ends of a gap to a place in
+/// it that has no value.
+Line rims_beside(const Surface& surface, const Line& ends, const dvec2& place, unsigned threads) {
+  const std::array<Line, 2> ways = {Line{ends[0], place}, Line{ends[1], place}};
   const std::vector<dvec2> last = last_defined(surface, ways, kAllHalvings, threads);
-  ends = {last[0], last[1]};
-  return true;
+  return {last[0], last[1]};
 }
 
-/// Whether there is an undefined part between the ends of a gap, made of rounding and with a sheet
-/// on either side, as where a jump meets the rim of a hole. The ends are then moved to it.
-bool is_between_sheets(const Surface& surface, double delta, unsigned threads, Line& ends) {
+/// The kind of a gap without a pole that may have no value in the middle. It is a pole if values
+/// there exceed the largest double; a jump if what is undefined is made of rounding, with a sheet
+/// on either side, as where a jump meets the rim of a hole. The ends are then moved to the last
+/// values.
+Discontinuity kind_of_gap(const Surface& surface, double delta, unsigned threads, Line& ends) {
   const dvec2 middle = near_middle(ends);
   const dvec3 value = evaluate_positions(surface, std::array{middle}, 1)[0];
-  if (!glm::any(glm::isnan(value))) return false;
-  const std::array<Line, 2> ways = {Line{ends[0], middle}, Line{ends[1], middle}};
-  const std::vector<dvec2> rims = last_defined(surface, ways, kAllHalvings, threads);
-  const double width = glm::length((rims[1] - rims[0]) / box_of(surface.domain).size());
+  if (is_finite(value)) return Discontinuity::None;
+  const Line rims = rims_beside(surface, ends, middle, threads);
+  if (!glm::any(glm::isnan(value))) {
+    ends = rims;
+    return Discontinuity::Pole;
+  }
+  const double width = length_in_ranges(rims, box_of(surface.domain).size());
   // One place without a value, as that of sin(1/(u+v)), has waves beside it.
-  if (width < kSame || width > kBesidePole.front()) return false;
+  if (width < kSame || width > kBesidePole.back()) return Discontinuity::None;
   const std::vector<dvec3> at = evaluate_positions(surface, rims, 1);
-  if (!(glm::distance(at[0], at[1]) > delta)) return false;
-  ends = {rims[0], rims[1]};
-  return true;
+  if (!(glm::distance(at[0], at[1]) > delta)) return Discontinuity::None;
+  ends = rims;
+  return Discontinuity::Jump;
 }
 
 /// Whether the surface diverges on either side of the discontinuities found on lines.
@@ -87,12 +88,12 @@ void verify(const Surface& surface, std::span<const Line> lines, double delta, u
     if (far[k]) found[k].kind = Discontinuity::Pole;
     if (far[k] || found[k].kind != Discontinuity::Pole) continue;
     Line& ends = found[k].ends;
-    if (is_beyond_doubles(surface, threads, ends)) continue;
+    found[k].kind = kind_of_gap(surface, delta, threads, ends);
+    if (found[k].kind != Discontinuity::None) continue;
     const dvec2 middle = near_middle(ends);
     const bool is_gap =
         (middle == ends[0] || middle == ends[1]) && length_of(ends) <= kSame * length_of(lines[k]);
-    const bool is_jump = is_gap || is_between_sheets(surface, delta, threads, ends);
-    found[k].kind = is_jump ? Discontinuity::Jump : Discontinuity::None;
+    if (is_gap) found[k].kind = Discontinuity::Jump;
   }
 }
 
@@ -132,11 +133,8 @@ std::vector<LocatedDiscontinuity> look_at(const Surface& surface, std::span<cons
     if (found[i].kind == Discontinuity::None) found[i].ends = parts[i];
     // An undefined place is no pole unless the surface diverges: sin(1/u) does not.
     if (is_pole) found[i].kind = Discontinuity::Pole;
-    if (!is_pole && found[i].kind == Discontinuity::Pole &&
-        !is_beyond_doubles(surface, threads, found[i].ends)) {
-      const bool is_jump = is_between_sheets(surface, delta, threads, found[i].ends);
-      found[i].kind = is_jump ? Discontinuity::Jump : Discontinuity::None;
-    }
+    if (!is_pole && found[i].kind == Discontinuity::Pole)
+      found[i].kind = kind_of_gap(surface, delta, threads, found[i].ends);
   }
   return found;
 }

@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "mesh/model/tolerances.h"
 #include "surface/surface_enclosure.h"
 
@@ -22,6 +24,11 @@ inline constexpr int kFirstHalvings = 3;
 
 /// A straight line of parameters.
 using Line = std::array<dvec2, 2>;
+
+/// The length of a line in parts of the ranges of u and v.
+inline double length_in_ranges(const Line& line, const dvec2& ranges) {
+  return glm::length((line[1] - line[0]) / ranges);
+}
 
 /// A line, or a part of one.
 struct LinePart {

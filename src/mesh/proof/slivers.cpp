@@ -14,7 +14,7 @@ std::vector<std::array<bool, 2>> are_in_slivers(const Surface& surface,
   std::vector<dvec2> beyond;
   for (const auto& [line, at_ends] : steps) {
     const dvec2 step = line[1] - line[0];
-    const dvec2 way = kStays * kSliver / glm::length(step / domain.size()) * step;
+    const dvec2 way = kStays * kSliver / length_in_ranges(line, domain.size()) * step;
     beyond.push_back(nearest_in(domain, line[0] - way));
     beyond.push_back(nearest_in(domain, line[1] + way));
   }
