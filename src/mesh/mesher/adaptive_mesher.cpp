@@ -245,7 +245,7 @@ bool AdaptiveMesher::is_clipped(const Leaf& leaf) const {
 
 bool AdaptiveMesher::crosses_box(const Leaf& leaf) const {
   return request_.clip && std::ranges::any_of(corner_positions(leaf, tree_), [&](const dvec3& p) {
-           return !request_.clip->contains(p);
+           return is_finite(p) && !request_.clip->contains(p);
          });
 }
 
@@ -411,24 +411,29 @@ bool AdaptiveMesher::is_small(const Leaf& leaf) const {
   return halvings_of_root(leaf) >= kBoundaryHalvings && direction_.is_too_small_to_see(leaf);
 }
 
-/// Whether a leaf that cannot be halved reaches from one face of the clip box to the opposite one,
-/// and no pole is known to cut it. Where a jump crosses a pole's line, its triangles are walls.
-bool AdaptiveMesher::is_wall_beside_pole(const Leaf& leaf) const {
-  if (!request_.clip || leaf.size_u() > 1 || leaf.size_v() > 1) return false;
-  if (leaf.state.is_left_out() || has_cut(FeatureKind::Face, leaf, tree_)) return false;
-  Bounds around;
-  for (const dvec3& p : corner_positions(leaf, tree_)) around.add(p);
-  return glm::any(glm::lessThan(around.low, request_.clip->low) &&
-                  glm::greaterThan(around.high, request_.clip->high));
+/// Whether a sheet of a cut leaf that is not halved further reaches from one face of the clip box
+/// to the opposite one: where a jump or a rim meets a pole's line, that is a wall.
+bool AdaptiveMesher::is_wall_at_pole(const Leaf& leaf) const {
+  const LeafState& state = leaf.state;
+  if (!request_.clip || state.is_whole() || state.is_left_out() || state.oscillates()) return false;
+  if (state.may_be_halved() && (leaf.size_u() > 1 || leaf.size_v() > 1)) return false;
+  return std::ranges::any_of(sub_polygons(leaf, tree_), [&](const Polygon& polygon) {
+    Bounds around;
+    for (const PolygonCorner& corner : polygon) around.add(grid_.mesh.position[corner.corner]);
+    // Corners may be on faces, but for rounding.
+    const dvec3 near = kNearly * around.size();
+    return glm::any(glm::lessThanEqual(around.low, request_.clip->low + near) &&
+                    glm::greaterThanEqual(around.high, request_.clip->high - near));
+  });
 }
 
 /// Leaves out the small leaves that are cut unclearly, and walls.
 void AdaptiveMesher::leave_out_unclear() {
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     const Leaf& leaf = mesh_.leaves[k];
-    if (!leaf.state.is_cut_by_feature()) continue;
-    if ((is_small(leaf) && direction_.is_cut_unclearly(k)) || is_wall_beside_pole(leaf))
-      leave_out(k);
+    const bool is_unclear =
+        leaf.state.is_cut_by_feature() && is_small(leaf) && direction_.is_cut_unclearly(k);
+    if (is_unclear || is_wall_at_pole(leaf)) leave_out(k);
   }
 }
 

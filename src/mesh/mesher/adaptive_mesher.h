@@ -93,7 +93,7 @@ class AdaptiveMesher {
   Oscillation oscillation() const;
   bool is_small(const Leaf& leaf) const;
   bool leave_out(std::size_t number);
-  bool is_wall_beside_pole(const Leaf& leaf) const;
+  bool is_wall_at_pole(const Leaf& leaf) const;
   void leave_out_unclear();
   bool take_news_of_left_out();
   std::vector<Leaf> halve_missed();

@@ -223,6 +223,18 @@ TEST(Poles, HaveNoTrianglesAcrossThemWhereTheyChangeTheirSign) {
   EXPECT_LT(distance_from_lines(of_sums, kTolerance, sums), kMost);
 }
 
+TEST(Poles, HaveNoTrianglesAcrossThemWhereRegionsEnd) {
+  // The pole's line goes through the corner of a region, or a jump begins on it.
+  const std::vector<PoleCase> cases = {
+      {"(u>0&&v>0)?1/(u-v):nan", [](double u, double v) { return u - v; }},
+      {"(u<0.5&&v>0)?1/(u+v-0.5):nan", [](double u, double v) { return u + v - 0.5; }},
+      {"(u>0&&v>0)?v/(u-v):0", [](double u, double v) { return u > 0 && v > 0 ? u - v : 0; }}};
+  MeshRequest request = within_length(0.0067);
+  request.clip = Bounds{dvec3(-2, -2, -3.3), dvec3(2, 2, 3.4)};
+  for (const auto& [z, denominator] : cases)
+    EXPECT_EQ(walls(try_mesh(height_field(z), request).value().mesh, denominator), 0U) << z;
+}
+
 TEST(Poles, LeaveNothingOutWhereTheSurfaceCrossesZero) {
   // z = v/(4u): the line v = 4 z u. z = v/sin(4u): the curve v = z sin(4u).
   constexpr double kTolerance = 0.0037;

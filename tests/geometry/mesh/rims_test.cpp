@@ -281,6 +281,15 @@ TEST(Rims, GoDownToTheNotchWhereTwoMeet) {
 
 /// Two jumps end on the rim in (0, 0), where the sheet between them goes down to 0. Other jumps
 /// touch the rim: the wedges beside them are halved from leaf to leaf.
+TEST(Rims, HaveTheirCornersWhereAClipBoxCutsElsewhere) {
+  constexpr double kTolerance = 0.0066;
+  MeshRequest request = within_length(kTolerance);
+  request.clip = Bounds{dvec3(-1, -1, -3), dvec3(1, 1, 3)};
+  const Surface square = height_field("(abs(u)<0.5&&abs(v)<0.5)?1/(u+v):nan");
+  const Mesh mesh = try_mesh(square, request).value().mesh;
+  EXPECT_LE(TriangleTree(mesh).distance({-0.5, -0.5, -1}), kTolerance);
+}
+
 TEST(Rims, KeepTheToleranceInAPointBetweenAJumpAndARim) {
   const Surface surface =
       height_field("max(sqrt(tanh(u+v)),atan(mod(u*v,1)))", {-1.9, 1.9, -1.9, 1.9});
