@@ -112,9 +112,8 @@ double thickness(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
   const dvec3 first = p[corner[2]] - p[corner[0]];
   const dvec3 second = p[corner[3]] - p[corner[1]];
   double longest = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < 4; ++k)
     longest = std::max(longest, glm::distance(p[corner[k]], p[corner[(k + 1) % 4]]));
-  }
   return longest > 0 ? glm::length(glm::cross(first, second)) / 2 / longest : 0;
 }
 
@@ -147,13 +146,17 @@ double ErrorIndicator::bulge_of_triangles(const SampleVertices& samples, std::si
                   bulge(sides[first + 2], sides[(first + 3) % 4], diagonal));
 }
 
-/// The distance of a leaf's centre from its two triangles, cut from corner `first`. At an upright
-/// front the centre may be far from the diagonal, but near the triangles.
-double ErrorIndicator::distance_from_triangles(const Leaf& leaf, std::size_t first) const {
-  const SampleVertices& samples = leaf.samples;
-  const auto at = [&](std::size_t k) { return samples.corner[(first + k) % 4]; };
+/// The distance of a leaf's centre from its two triangles, cut from corner `first`, or the height
+/// of their diagonal above it, which is larger. At an upright front the centre may be far from the
+/// diagonal, but near the triangles; so it is in a twisted leaf, which the diagonal sticks out of.
+double ErrorIndicator::distance_from_triangles(const Leaf& leaf, std::size_t first,
+                                               const ChordSample& diagonal) const {
+  const auto& [corner, side, centre] = leaf.samples;
+  const auto at = [&](std::size_t k) { return corner[(first + k) % 4]; };
   const std::array triangles = {Triangle{at(0), at(1), at(2)}, Triangle{at(2), at(3), at(0)}};
-  return distance_from(grid_, triangles, mesh_.uv[samples.centre], mesh_.position[samples.centre]);
+  const dvec3 normal = is_regular(centre) ? mesh_.normal[centre] : dvec3(0);
+  return std::max(std::fabs(glm::dot(diagonal.off, normal)),
+                  distance_from(grid_, triangles, mesh_.uv[centre], mesh_.position[centre]));
 }
 
 CellError ErrorIndicator::estimate(const Leaf& leaf) const {
@@ -175,7 +178,7 @@ CellError ErrorIndicator::estimate(const Leaf& leaf) const {
     const ChordSample arc(first, last, seen_position(sample));
     double distance = distance_of_sample(arc, {a, b, sample}, border) / eps;
     if (part == &ErrorRatios::centre && !is_opposed && !arc.is_small_arc && distance > 1) {
-      distance = std::min(distance, distance_from_triangles(leaf, first_corner) / eps);
+      distance = std::min(distance, distance_from_triangles(leaf, first_corner, arc) / eps);
     }
     error.distance.*part = std::max(error.distance.*part, distance);
     const double gap = arc.is_small_arc ? distance : arc.distance_of_middle / eps;
@@ -188,8 +191,7 @@ CellError ErrorIndicator::estimate(const Leaf& leaf) const {
     }
   };
   for (std::size_t k = 0; k < 4; ++k) {
-    if (tree_.vertices().is_used(side[k]))
-      continue;  // a hanging vertex: the halves are the mesh's edges
+    if (tree_.vertices().is_used(side[k])) continue;  // the halves are the mesh's edges
     add_chord(corner[k], corner[(k + 1) % 4], side[k], is_seen(leaf, k),
               k % 2 == 0 ? &ErrorRatios::along_u : &ErrorRatios::along_v);
   }
@@ -201,9 +203,8 @@ CellError ErrorIndicator::estimate(const Leaf& leaf) const {
   return error;
 }
 
-ErrorRatios ErrorIndicator::turn_ratios(const ErrorRatios& squares_of_tangents) const {
-  const auto& [along_u, along_v, centre] = squares_of_tangents;
-  return {turn_ratio(along_u), turn_ratio(along_v), turn_ratio(centre)};
+ErrorRatios ErrorIndicator::turn_ratios(const ErrorRatios& squares) const {
+  return {turn_ratio(squares.along_u), turn_ratio(squares.along_v), turn_ratio(squares.centre)};
 }
 
 double ErrorIndicator::allowed(const Leaf& leaf) const {
@@ -275,8 +276,7 @@ bool ErrorIndicator::splits_boundary_u(const Leaf& leaf) const {
                       changes(corner[3], side[2], corner[2]);
   const int along_v = changes(corner[0], side[3], corner[3]) + changes(side[0], centre, side[2]) +
                       changes(corner[1], side[1], corner[2]);
-  const std::uint32_t u = leaf.size_u();
-  const std::uint32_t v = leaf.size_v();
+  const auto [u, v] = std::pair(leaf.size_u(), leaf.size_v());
   // The error of a slender one is that of a chord, not of the boundary's place.
   const bool is_slender = std::max(u, v) > kSlender * std::min(u, v);
   return along_u == along_v || is_slender ? u >= v : along_u > along_v;

@@ -71,7 +71,7 @@ class ErrorIndicator {
   CellError estimate(const Leaf& leaf) const;
 
   /// The error ratios of angles that are given by the squares of their tangents.
-  ErrorRatios turn_ratios(const ErrorRatios& squares_of_tangents) const;
+  ErrorRatios turn_ratios(const ErrorRatios& squares) const;
 
   /// Whether the pieces of surface around a leaf, between its features, are no longer than the
   /// tolerance on the mean of its sides. A part of a sheet that is missing there is not visible.
@@ -116,7 +116,8 @@ class ErrorIndicator {
   double distance_of_sample(const ChordSample& arc, const std::array<std::uint32_t, 3>& vertices,
                             bool border) const;
   std::size_t first_of_diagonal(const Corners& corner) const;
-  double distance_from_triangles(const Leaf& leaf, std::size_t first) const;
+  double distance_from_triangles(const Leaf& leaf, std::size_t first,
+                                 const ChordSample& diagonal) const;
   double bulge_of_triangles(const SampleVertices& samples, std::size_t first) const;
   double square_of_tangent(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
   double turn_ratio(double square_of_tangent) const;

@@ -149,8 +149,12 @@ std::optional<SharpBends::Targets> SharpBends::targets_of(
     return is_at_face ? std::optional(Targets{true, false, true}) : std::nullopt;
   }
   const Targets targets{is_doubtful, leaf.known_error > kDoubtfulSides};
+  const bool is_sharp = turns_sharply(grid_.mesh, leaf.samples.corner);
+  // Heights along normals, of which estimates are made, are no distances there.
+  if (is_sharp && has_far_middle(leaf, mesh.allowed[number]))
+    return Targets{is_doubtful, targets.sides, false, true};
   if (!targets.places && !targets.sides) return std::nullopt;
-  if (turns_sharply(grid_.mesh, leaf.samples.corner)) return targets;
+  if (is_sharp) return targets;
   if (mesh.sampled_errors[number].degrees > kSharpDegrees) {
     return Targets{targets.places, targets.sides, true};
   }
@@ -158,6 +162,21 @@ std::optional<SharpBends::Targets> SharpBends::targets_of(
   const double distance =
       distance_of_diagonal(grid_.mesh, leaf.samples.corner, *centre, diagonal_of(triangles));
   return distance > mesh.allowed[number] ? std::optional(Targets{false, true}) : std::nullopt;
+}
+
+/// Whether a sample of the leaf is farther than allowed from the middle of its chord.
+bool SharpBends::has_far_middle(const Leaf& leaf, double allowed) const {
+  const auto& position = grid_.mesh.position;
+  const auto& [corner, side, centre] = leaf.samples;
+  const auto is_far = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample) {
+    if (sample == SampleVertices::kUnasked) return false;
+    const dvec3 middle = 0.5 * (position[a] + position[b]);
+    return glm::distance(middle, position[sample]) > allowed;
+  };
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (is_far(corner[k], corner[(k + 1) % 4], side[k])) return true;
+  }
+  return is_far(corner[0], corner[2], centre) && is_far(corner[1], corner[3], centre);
 }
 
 void SharpBends::append_places(std::size_t number, std::vector<Place>& places) const {

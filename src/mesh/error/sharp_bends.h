@@ -68,6 +68,7 @@ class SharpBends {
   std::optional<Targets> targets_of(const ValidatedMesh& mesh, std::size_t number,
                                     std::span<const Triangle> triangles,
                                     const std::optional<LeafCentre>& centre) const;
+  bool has_far_middle(const Leaf& leaf, double allowed) const;
   void append_places(std::size_t number, std::vector<Place>& places) const;
   void append_between_edges(std::size_t number, std::vector<Place>& places) const;
   void append_middles(std::size_t number, std::vector<Place>& places) const;

@@ -130,8 +130,10 @@ void PointPlacer::append(std::size_t number, const Leaf& leaf, std::span<const T
       samples.push_back({number, low * (1.0 - part) + high * part});
     }
   }
-  // The error indicator has no sample of the narrowest leaves' middles, as at the tip of a needle.
-  if (has_chords && is_whole && !leaf.has_middle()) samples.push_back({number, 0.5 * (low + high)});
+  // The error indicator has no sample of the narrowest leaves' middles, as at the tip of a needle,
+  // and takes heights above triangles for distances: beside narrow ones it may be farther.
+  if (has_chords && is_whole && (triangles.size() <= 2 || !leaf.has_middle()))
+    samples.push_back({number, 0.5 * (low + high)});
   if (!is_whole) append_sides(number, leaf, triangles, samples);
   if (has_chords && is_whole) append_across(number, leaf, triangles, allowed, samples);
   if (has_chords) append_chords(number, leaf, triangles, samples);

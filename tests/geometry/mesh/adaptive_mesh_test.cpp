@@ -165,6 +165,51 @@ TEST(AdaptiveMesh, IsWithinItsToleranceAtPlacesThatNobodyLookedAt) {
   }
 }
 
+/// The distance of a position from a height field, by samples around it.
+double distance_from_field(const dvec3& position, double (*z)(double u, double v), dvec2 reach) {
+  constexpr int kStepsU = 60;  // waves are steep along u
+  constexpr int kStepsV = 4;
+  dvec2 nearest(position);
+  double least = std::fabs(position.z - z(nearest.x, nearest.y));
+  for (int round = 0; round < 5; ++round, reach *= 0.2) {
+    const dvec2 middle = nearest;
+    for (int i = -kStepsU; i <= kStepsU; ++i) {
+      for (int j = -kStepsV; j <= kStepsV; ++j) {
+        const dvec2 at = middle + reach * dvec2(i, j) / dvec2(kStepsU, kStepsV);
+        const double distance = glm::distance(position, dvec3(at, z(at.x, at.y)));
+        if (distance < least) nearest = at;
+        least = std::min(least, distance);
+      }
+    }
+  }
+  return least;
+}
+
+TEST(AdaptiveMesh, IsNearTheSurfaceInWavesNarrowerThanTheyAreHigh) {
+  const Domain domain = {-1, 1, -20, 20};
+  const MeshResult twisted =
+      try_mesh(height_field("sin(30*u)*cos(v)", domain), within_share(1e-3)).value();
+  const MeshResult valley =
+      try_mesh(height_field("sin(50*u)+v^2/100", domain), within_share(1e-3)).value();
+  const auto worst = [](const MeshResult& result, double (*z)(double u, double v)) {
+    const double most = 1.02 * *result.report.tolerance;
+    double worst = 0;
+    for (const Triangle& t : result.mesh.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const dvec3& a = result.mesh.position[t[k]];
+        const dvec3& b = result.mesh.position[t[(k + 1) % 3]];
+        const dvec3 middle = 0.5 * (a + b);
+        // Most are that near straight above.
+        if (std::fabs(middle.z - z(middle.x, middle.y)) <= most) continue;
+        worst = std::max(worst, distance_from_field(middle, z, {0.04, 0.1}));
+      }
+    }
+    return worst / most;
+  };
+  EXPECT_LE(worst(twisted, [](double u, double v) { return std::sin(30 * u) * std::cos(v); }), 1);
+  EXPECT_LE(worst(valley, [](double u, double v) { return std::sin(50 * u) + v * v / 100; }), 1);
+}
+
 MeshRequest without_lines(double share) {
   MeshRequest options = within_share(share, 180);
   options.lines = {0, 0};
