@@ -7,6 +7,7 @@
 
 #include "mesh/distance/sampled_error.h"
 #include "mesh/features/bisect_together.h"
+#include "mesh/features/removable.h"
 #include "mesh/features/sheet_ends.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/segment.h"
@@ -136,6 +137,7 @@ std::vector<LeafDistance> EdgeTurns::measure(double delta) {
     const Side& side = sides_[k];
     if (!is_seen(clip_, at[k])) continue;
     const double distance = distance_from(grid_, side.triangles, side.turn, at[k]);
+    if (distance > side.allowed && moves_by_last_digit(surface_, side.turn, side.allowed)) continue;
     found.push_back({side.leaf, distance, side.opposite.has_value(), side.turn});
   }
   return found;

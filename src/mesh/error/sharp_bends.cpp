@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "mesh/distance/crease_distance.h"
+#include "mesh/features/removable.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/sample_places.h"
 #include "mesh/model/sides.h"
@@ -268,6 +269,7 @@ void SharpBends::sample(ValidatedMesh& mesh) {
                         glm::abs(leaf.high - leaf.low),
                         allowed};
     if (glm::distance(chord.middle(), points[k]) <= kLeastEstimate * allowed) continue;
+    if (moves_by_last_digit(surface_, at, allowed)) continue;
     validate_at(at, points[k], leaf, mesh);
     chord.known = mesh.sampled_errors[leaf.number].distance;
     if (!mesh.is_near(leaf.number)) continue;

@@ -15,6 +15,7 @@
 #include "mesh/error/sharp_bends.h"
 #include "mesh/error/sheet_triangles.h"
 #include "mesh/error/validate_many.h"
+#include "mesh/features/removable.h"
 #include "mesh/model/sides.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
@@ -202,6 +203,7 @@ void Validator::validate_one_by_one(ValidatedMesh& mesh, std::span<const std::si
     if (!seen.triangles && !crease) {
       d.distance = distance_from(grid_, of_leaf, place, points[s].position);
     }
+    if (crease && moves_by_last_digit(points[s], place, mesh.allowed[which[k]])) continue;
     if (d.distance > worst.distance) {
       mesh.add(which[k], d.distance, place);
       worst.on_crease = d.on_crease;

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/bounds.h"
+#include "base/numbers.h"
 #include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"
@@ -19,6 +20,9 @@ namespace {
 /// 64 epsilon: a parameter is rounded where its line is placed, and again where a formula
 /// multiplies it, as in sin(10*pi*u).
 constexpr double kRoundingOfParameters = 0x1p-46;
+
+/// Positions on a few lines may be rounding. Where one in 4 is, that is the surface.
+constexpr std::size_t kMostOnLines = 4;
 
 /// A point beside a place.
 struct NearbyLook {
@@ -60,14 +64,39 @@ Beside judge(std::span<const NearbyLook> looks, double diagonal) {
 }  // namespace
 
 double moved_by_last_digit(const SurfacePoint& point, const dvec2& uv) {
-  const double moved =
-      safe_length(point.r_u) * std::fabs(uv.x) + safe_length(point.r_v) * std::fabs(uv.y);
-  return std::numeric_limits<double>::epsilon() * moved;
+  return moved_by_last_digit(dvec2(safe_length(point.r_u), safe_length(point.r_v)), uv);
+}
+
+double moved_by_last_digit(const dvec2& lengths, const dvec2& uv) {
+  return std::numeric_limits<double>::epsilon() * glm::dot(lengths, glm::abs(uv));
+}
+
+bool moves_by_last_digit(const SurfacePoint& point, const dvec2& uv, double most) {
+  const double moved = moved_by_last_digit(point, uv);
+  return std::isfinite(moved) && moved > most;
+}
+
+bool moves_by_last_digit(const Surface& surface, const dvec2& uv, double most) {
+  return moves_by_last_digit(evaluate(surface, std::span(&uv, 1), 1)[0], uv, most);
 }
 
 bool is_rounding(const SurfacePoint& point, const dvec2& uv, double diagonal) {
-  const double moved = moved_by_last_digit(point, uv);
-  return std::isfinite(moved) && moved > kLimitsAgree * diagonal;
+  return moves_by_last_digit(point, uv, kLimitsAgree * diagonal);
+}
+
+double diagonal_without_rounding(std::span<const SurfacePoint> points, std::span<const dvec2> uv,
+                                 double diagonal) {
+  Bounds others;
+  std::size_t rounded = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (is_rounding(points[k], uv[k], diagonal)) {
+      ++rounded;
+    } else if (is_finite(points[k].position)) {
+      others.add(points[k].position);
+    }
+  }
+  const bool is_everywhere = kMostOnLines * rounded > points.size() || others.empty();
+  return is_everywhere ? kInfinity : others.diagonal();
 }
 
 dvec3 rounding_by_parameters(const SurfacePoint& point, const dvec2& uv, const Domain& domain) {

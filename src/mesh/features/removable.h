@@ -24,13 +24,24 @@ struct Beside {
 std::vector<Beside> look_beside(const Surface& surface, std::span<const dvec2> places,
                                 double diagonal, unsigned threads, std::size_t& count);
 
-/// How far the last digit of the parameters moves a point, by its tangents.
+/// How far the last digit of the parameters moves a point, by its tangents, or by their lengths.
 double moved_by_last_digit(const SurfacePoint& point, const dvec2& uv);
+double moved_by_last_digit(const dvec2& lengths, const dvec2& uv);
+
+/// Whether that is a finite distance above `most`: a position farther off is no error of a mesh.
+bool moves_by_last_digit(const SurfacePoint& point, const dvec2& uv, double most);
+bool moves_by_last_digit(const Surface& surface, const dvec2& uv, double most);
 
 /// Whether a position is rounding: the last digit of the parameters moves it by more than
 /// kLimitsAgree. (u^3 - v^3) / (u - v) is rounding where u and v are neighbouring doubles. Tangents
 /// that are not finite tell nothing: the apex of 1 - hypot(u, v) has none.
 bool is_rounding(const SurfacePoint& point, const dvec2& uv, double diagonal);
+
+/// The diagonal of the box around the points of a sampled surface that are not rounding, for whose
+/// diagonal with them `diagonal` stands: they may be far away. Infinite if too many are: that is
+/// the surface then, as of sin(1e15 u).
+double diagonal_without_rounding(std::span<const SurfacePoint> points, std::span<const dvec2> uv,
+                                 double diagonal);
 
 /// The most by which rounding of the parameters moves a point, along each axis; 0 where the
 /// tangents are not finite. At the ends of sqrt(sin(u)) over 0:pi, sin(pi) = 1e-16 gives 1e-8.

@@ -58,6 +58,7 @@ struct Grid {
   std::size_t left_out_count = 0;
   std::vector<std::size_t> singular;  ///< used vertices without a regular normal, ascending
   std::vector<CellSagitta> worst;     ///< the largest sagitta of each 16 plain cells
+  dvec2 longest_tangents{0};          ///< |r_u| and |r_v| of vertices; infinite where unknown
   double local_scale = 1;             ///< local units per unit of length
   double diagonal = 0;                ///< of the box around the used vertices, in local units
   dvec2 range{1};                     ///< of the parameters, or of the small component in it

@@ -4,9 +4,12 @@
 #include <string>
 #include <utility>
 
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/vector_relational.hpp>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "mesh/grid/irregular.h"
 #include "mesh/grid/tile.h"
 
@@ -53,6 +56,18 @@ Bounds bounds_of(const Grid& grid, std::span<const TileSummary> tiles) {
   return bounds;
 }
 
+/// The largest |r_u| and |r_v| of a grid's vertices.
+dvec2 longest_tangents(std::span<const TileSummary> tiles) {
+  dvec2 squares(0);
+  for (const TileSummary& tile : tiles) {
+    for (const RowSummary& row : tile.rows) {
+      if (!row.finite) return dvec2(kInfinity);
+      squares = glm::max(squares, dvec2(row.largest_uu, row.largest_vv));
+    }
+  }
+  return glm::sqrt(squares);
+}
+
 /// The intersection of the boxes; the first box if it is empty.
 Bounds common(const Bounds& bounds, const std::optional<Bounds>& clip) {
   if (!clip) return bounds;
@@ -82,6 +97,7 @@ Grid sample_grid(const Surface& surface, std::vector<double> u, std::vector<doub
   find_irregular(surface, tiling, tiles, threads, grid);
   if (grid.left_out_count == grid.cell_count()) return grid;
   set_extent(grid, common(bounds_of(grid, tiles), clip));
+  grid.longest_tangents = longest_tangents(tiles);
   for (const TileSummary& tile : tiles) {
     grid.worst.insert(grid.worst.end(), tile.worst.begin(), tile.worst.end());
   }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 
 #include "eval/batch.h"
 #include "mesh/features/singular.h"
@@ -27,18 +28,37 @@ VertexGeometry::VertexGeometry(const Surface& surface, Grid& grid, DyadicVertice
       vertices_(vertices),
       revisions_(revisions),
       effort_(effort),
+      size_(grid.mesh.bounds.diagonal()),
       regular_(grid.vertex_count(), 1),
       defined_(grid.vertex_count(), 1),
       singular_cells_(grid) {
   repair_root_grid(threads);
 }
 
+/// Gives vertices of the root grid whose positions are rounding the limits there.
+void VertexGeometry::replace_rounding_of_root_grid(unsigned threads) {
+  const auto farthest = [](const std::vector<double>& lines) {
+    return std::max(std::fabs(lines.front()), std::fabs(lines.back()));
+  };
+  const double most =
+      moved_by_last_digit(grid_.longest_tangents, {farthest(grid_.u), farthest(grid_.v)});
+  const bool may_be_anywhere = !(most <= kLimitsAgree * size_);
+  std::vector<std::size_t> steep = grid_.singular;
+  if (may_be_anywhere) {
+    steep.resize(grid_.vertex_count());
+    std::iota(steep.begin(), steep.end(), std::size_t{0});
+  }
+  std::vector<dvec2> uv;
+  for (const std::size_t vertex : steep) uv.push_back(grid_.uv(vertex));
+  const std::vector<SurfacePoint> points = saddle::evaluate(surface_, uv, threads);
+  if (may_be_anywhere) size_ = diagonal_without_rounding(points, uv, size_);
+  note_rounding(steep, points);
+  replace_rounding(threads);
+}
+
 void VertexGeometry::repair_root_grid(unsigned threads) {
   for (const std::size_t vertex : grid_.singular) make_singular(static_cast<std::uint32_t>(vertex));
-  std::vector<dvec2> uv;
-  for (const std::size_t vertex : grid_.singular) uv.push_back(grid_.uv(vertex));
-  note_rounding(grid_.singular, saddle::evaluate(surface_, uv, threads));
-  replace_rounding(threads);
+  replace_rounding_of_root_grid(threads);
   std::vector<std::uint32_t> all(may_have_values_on_poles_ ? grid_.vertex_count() : 0);
   std::iota(all.begin(), all.end(), 0);
   if (drop_values_on_poles(all, threads).empty() && grid_.left_out_count == 0) return;
@@ -76,6 +96,7 @@ void VertexGeometry::resize() {
 template <class Vertex, class Uv>
 void VertexGeometry::store(const NormalColumns& columns, std::size_t count, Vertex vertex, Uv uv) {
   Mesh& mesh = grid_.mesh;
+  const double visible = kLimitsAgree * size_;
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [position, normal, regular] = column_point(columns, i, surface_.flip);
     const std::uint32_t to = vertex(i);
@@ -86,7 +107,10 @@ void VertexGeometry::store(const NormalColumns& columns, std::size_t count, Vert
     regular_[to] = 1;
     defined_[to] = is_finite(position) ? 1 : 0;
     if (!regular) make_singular(to);
-    if (!regular && is_finite(position) && is_finite(normal)) steep_.push_back(to);
+    const dvec2 lengths = glm::sqrt(dvec2(columns[kSquareUColumn][i], columns[kSquareVColumn][i]));
+    const bool may_be_rounding = moved_by_last_digit(lengths, uv(i)) > visible;
+    if ((!regular || may_be_rounding) && is_finite(position) && is_finite(normal))
+      steep_.push_back(to);
   }
   evaluations_ += count;
   effort_.add_samples(count);
@@ -179,7 +203,7 @@ std::vector<std::uint32_t> VertexGeometry::drop_values_on_poles(
 }
 
 void VertexGeometry::fill_removable(std::span<const std::uint32_t> undefined, unsigned threads) {
-  const std::vector<Beside> beside = look_beside(undefined, threads);
+  const std::vector<Beside> beside = look_beside(undefined, grid_.mesh.bounds.diagonal(), threads);
   const double diagonal = grid_.mesh.bounds.diagonal();
   std::vector<std::uint32_t> singularities;
   std::vector<std::uint32_t> within;  // the surface, but without a limit
@@ -226,19 +250,19 @@ void VertexGeometry::fill_at_jumps(std::span<const std::uint32_t> vertices, unsi
 void VertexGeometry::replace_rounding(unsigned threads) {
   std::vector<std::uint32_t> vertices;
   std::swap(vertices, rounded_);
-  const std::vector<Beside> beside = look_beside(vertices, threads);
+  const std::vector<Beside> beside = look_beside(vertices, size_, threads);
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     if (beside[k].limit) fill(vertices[k], *beside[k].limit);
   }
 }
 
 std::vector<Beside> VertexGeometry::look_beside(std::span<const std::uint32_t> vertices,
-                                                unsigned threads) {
+                                                double diagonal, unsigned threads) {
   if (vertices.empty()) return {};
   std::vector<dvec2> places;
   for (const std::uint32_t vertex : vertices) places.push_back(grid_.mesh.uv[vertex]);
   std::size_t looks = 0;
-  auto beside = saddle::look_beside(surface_, places, grid_.mesh.bounds.diagonal(), threads, looks);
+  auto beside = saddle::look_beside(surface_, places, diagonal, threads, looks);
   evaluations_ += looks;
   effort_.add_places(looks);
   return beside;
@@ -292,9 +316,8 @@ void VertexGeometry::take_known_normals() {
 /// Files the vertices whose positions are rounding: is_rounding().
 void VertexGeometry::note_rounding(std::span<const std::size_t> vertices,
                                    std::span<const SurfacePoint> points) {
-  const Mesh& mesh = grid_.mesh;
   for (std::size_t k = 0; k < vertices.size(); ++k) {
-    if (!is_rounding(points[k], mesh.uv[vertices[k]], mesh.bounds.diagonal())) continue;
+    if (!is_rounding(points[k], grid_.mesh.uv[vertices[k]], size_)) continue;
     rounded_.push_back(static_cast<std::uint32_t>(vertices[k]));
   }
 }

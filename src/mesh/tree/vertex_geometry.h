@@ -122,6 +122,7 @@ class VertexGeometry {
   void store(const NormalColumns& columns, std::size_t count, Vertex vertex, Uv uv);
   void finish_new(std::span<const std::uint32_t> vertices, unsigned threads);
   void repair_root_grid(unsigned threads);
+  void replace_rounding_of_root_grid(unsigned threads);
   std::vector<std::uint32_t> drop_values_on_poles(std::span<const std::uint32_t> vertices,
                                                   unsigned threads);
   void fill_removable(std::span<const std::uint32_t> undefined, unsigned threads);
@@ -129,7 +130,8 @@ class VertexGeometry {
                      std::vector<std::uint32_t>& rest);
   void note_rounding(std::span<const std::size_t> vertices, std::span<const SurfacePoint> points);
   void replace_rounding(unsigned threads);
-  std::vector<Beside> look_beside(std::span<const std::uint32_t> vertices, unsigned threads);
+  std::vector<Beside> look_beside(std::span<const std::uint32_t> vertices, double diagonal,
+                                  unsigned threads);
   void fill(std::uint32_t vertex, const dvec3& limit);
   void fill_from_ends(const Between& between, std::size_t vertex);
   void classify(std::span<const std::uint32_t> vertices, unsigned threads);
@@ -141,12 +143,13 @@ class VertexGeometry {
   DyadicVertices& vertices_;
   RevisionClock& revisions_;
   Effort& effort_;
+  double size_;  // of the surface, without positions that are rounding
   std::vector<std::uint8_t> regular_;
   std::vector<std::uint8_t> defined_;
   CellMarks singular_cells_;
   std::map<std::uint32_t, PointSingularity> singularities_;
   bool has_poles_ = false;
-  std::vector<std::size_t> steep_;      // new ones whose tangents are almost parallel
+  std::vector<std::size_t> steep_;      // new ones whose tangents are almost parallel, or very long
   std::vector<std::uint32_t> rounded_;  // whose positions are rounding, and not replaced yet
   std::size_t evaluations_ = 0;
 };

@@ -152,5 +152,27 @@ TEST(Singular, AreNoneOfSteepSurfaces) {
   EXPECT_FALSE(known_normal({dvec3(0), tangent, tangent * (1 + 1e-15)}, false));
 }
 
+/// sin(pi) is 1.2e-16 and cos(pi/2) is 6e-17 in doubles: their quotient is 0.5, and 0 beside it.
+TEST(Singular, PositionsThatAreRoundingTakeTheirLimits) {
+  const Domain domain = {0, 2 * kPi, 0, kPi};
+  const MeshResult field =
+      try_mesh(height_field("cos(pi/2*cos(v))/sin(v)", domain), within_share(1e-3)).value();
+  EXPECT_LE(field.report.max_error, *field.report.tolerance);
+  const std::string r = "cos(pi/2*cos(v))/sin(v)";
+  const MeshResult dipole = try_mesh(surface_from_text(r + "*sin(v)*cos(u)", r + "*sin(v)*sin(u)",
+                                                       r + "*cos(v)", domain, {}, Order::Second),
+                                     within_share(1e-3))
+                                .value();
+  EXPECT_LE(dipole.report.max_error, *dipole.report.tolerance);
+  for (const Mesh& mesh : {field.mesh, dipole.mesh}) {
+    double lowest = 1;
+    for (std::size_t k = 0; k < mesh.uv.size(); ++k) {
+      if (mesh.uv[k].y > kPi - 1e-9) lowest = std::min(lowest, std::fabs(mesh.position[k].z));
+      if (mesh.uv[k].y > kPi - 1e-9) EXPECT_NEAR(mesh.position[k].z, 0, 1e-5);
+    }
+    EXPECT_LT(lowest, 1) << "no vertex at the end";
+  }
+}
+
 }  // namespace
 }  // namespace saddle
