@@ -45,6 +45,12 @@ double largest_distance(std::span<const Height> heights, const std::optional<She
   return supported_distance(predicted, farthest, allowed);
 }
 
+/// The distance of a place in a box from the nearest face.
+double distance_within(const Bounds& box, const dvec3& place) {
+  const dvec3 left = glm::min(place - box.low, box.high - place);
+  return std::min({left.x, left.y, left.z});
+}
+
 }  // namespace
 
 /// Adds a leaf with a jump, unless it leads to a pole.
@@ -140,20 +146,32 @@ std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_of_sheets() {
 
 /// Drops the ends of ways across chords that may leave the clip box, where sheets end on its faces,
 /// and of ways that begin beyond it: beside a pole, steep parts would be taken for gaps. They hide
-/// gaps, too: others are looked for before those that were found.
+/// gaps, too: others are looked for before those that were found. A sheet that ends far from the
+/// faces, or comes no nearer to them, ends at a jump to what is clipped.
 void BoundaryDistance::check_at_faces(std::vector<std::optional<SheetEnd>>& ends) {
   std::vector<std::size_t> outward;
-  std::vector<dvec2> starts;
+  std::vector<dvec2> places;  // where ways begin and end
   for (std::size_t k = 0; k < jumps_.size(); ++k) {
     if (!jumps_[k].is_outward) continue;
     outward.push_back(k);
-    starts.push_back(jumps_[k].opposite);
+    places.push_back(jumps_[k].opposite);
+    places.push_back(ends[k] ? ends[k]->uv : jumps_[k].opposite);
   }
   if (outward.empty()) return;
-  const std::vector<bool> seen = are_seen(starts);
+  const std::vector<dvec3> positions = evaluate_positions(surface_, places, threads_);
+  evaluations_ += places.size();
   for (std::size_t i = 0; i < outward.size(); ++i) {
     std::optional<SheetEnd>& end = ends[outward[i]];
-    if (!seen[i] || (end && end->kind == SheetEnd::Kind::Boundary)) end.reset();
+    const dvec3& first = positions[2 * i];
+    if (!is_seen(clip_, first)) {
+      end.reset();
+    } else if (end && end->kind == SheetEnd::Kind::Boundary) {
+      const double left = distance_within(*clip_, positions[2 * i + 1]);
+      const bool ends_on_face =
+          left <= jumps_[outward[i]].allowed && left < distance_within(*clip_, first);
+      if (!ends_on_face) end->kind = SheetEnd::Kind::Jump;
+      if (ends_on_face) end.reset();
+    }
   }
   const auto is_at_jump = [&](std::size_t k) {
     return ends[k] && ends[k]->kind == SheetEnd::Kind::Jump;

@@ -207,6 +207,30 @@ TEST(Clip, FollowsPolesAtZeroToTheLeastOfDoubles) {
 
 /// Where a jump crosses a pole, the surface is beyond one face of the box on one side, and beyond
 /// the opposite one on the other.
+TEST(Clip, KeepsTheToleranceOfEdgesBesideWhatItCutsAway) {
+  // Both discs end at jumps to what is outside of the box. The second one is on a face.
+  constexpr double kTolerance = 1e-4;
+  MeshRequest request = within_length(kTolerance);
+  request.clip = Bounds{dvec3(-1, -1, 1), dvec3(1, 1, 2)};
+  const Surface steep = height_field("(u^2+v^2<0.5)?1.5+u/4:0");
+  const Surface on_face = height_field("(u^2+v^2<0.5)?1:0");
+  const MeshResult one = try_mesh(steep, request).value();
+  const MeshResult other = try_mesh(on_face, request).value();
+  const TriangleTree steep_disc(one.mesh);
+  const TriangleTree flat_disc(other.mesh);
+  double worst = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const double angle = 2 * kPi * k / 1000;
+    const double u = std::sqrt(0.5) * std::cos(angle);
+    const double v = std::sqrt(0.5) * std::sin(angle);
+    worst =
+        std::max({worst, steep_disc.distance({u, v, 1.5 + u / 4}), flat_disc.distance({u, v, 1})});
+  }
+  EXPECT_LE(worst, kTolerance);
+  EXPECT_LE(one.report.max_error, kTolerance);
+  EXPECT_LE(other.report.max_error, kTolerance);
+}
+
 TEST(Clip, HasNoWallsWhereAJumpCrossesAPole) {
   for (const char* z : {"sign(u-v)/(u+.2*v-.1)", "sign(u-.7*v)*tan(4*u+3*v)",
                         "sign(u-.7*v)/(u*u+v*v-.17)", "1/(mod(u,.5)-v)"}) {
