@@ -127,7 +127,8 @@ class ThinVertexPlacer {
     return !last.empty();
   }
 
-  /// Drops the gaps whose edges are within the tolerance of each other.
+  /// Drops the gaps whose edges are within the tolerance of each other, and those beside vertices
+  /// that only a limit defines: a line may have no values at all, as v/(u+sqrt(u^2-v)) at v=0.
   void drop_narrow_gaps(std::span<const AlikeEnds> lines, std::span<std::optional<dvec2>> found,
                         std::size_t& work) const {
     std::vector<std::size_t> gaps;
@@ -143,7 +144,7 @@ class ThinVertexPlacer {
     for (std::size_t i = 0; i < gaps.size(); ++i) {
       const dvec3& first = points[2 * i].position;
       const dvec3& second = points[2 * i + 1].position;
-      if (glm::distance(first, second) <= tolerance_(first)) found[gaps[i]].reset();
+      if (!(glm::distance(first, second) > tolerance_(first))) found[gaps[i]].reset();
     }
   }
 

@@ -167,5 +167,12 @@ TEST(ThinParts, GapsWithinTheToleranceCostNothing) {
   EXPECT_LT(result.mesh.triangles.size(), 4000U);
 }
 
+TEST(ThinParts, AreNoneOnALineThatLimitsAloneDefine) {
+  // 0/0 at v=0, where u is negative. The limit there is 2u.
+  const MeshResult result = mesh_with_thin_part("v/(u+sqrt(u^2-v))");
+  EXPECT_LT(result.mesh.triangles.size(), 10'000U);
+  EXPECT_LT(result.report.evaluations, 1'000'000U);
+}
+
 }  // namespace
 }  // namespace saddle
