@@ -28,7 +28,8 @@ std::vector<Beside> look_beside(const Surface& surface, std::span<const dvec2> p
 double moved_by_last_digit(const SurfacePoint& point, const dvec2& uv);
 double moved_by_last_digit(const dvec2& lengths, const dvec2& uv);
 
-/// Whether that is a finite distance above `most`: a position farther off is no error of a mesh.
+/// Whether that is a finite distance of more than `most`. Then a place that is `most` away from a
+/// mesh is no error of the mesh.
 bool moves_by_last_digit(const SurfacePoint& point, const dvec2& uv, double most);
 bool moves_by_last_digit(const Surface& surface, const dvec2& uv, double most);
 
@@ -37,9 +38,9 @@ bool moves_by_last_digit(const Surface& surface, const dvec2& uv, double most);
 /// that are not finite tell nothing: the apex of 1 - hypot(u, v) has none.
 bool is_rounding(const SurfacePoint& point, const dvec2& uv, double diagonal);
 
-/// The diagonal of the box around the points of a sampled surface that are not rounding, for whose
-/// diagonal with them `diagonal` stands: they may be far away. Infinite if too many are: that is
-/// the surface then, as of sin(1e15 u).
+/// The diagonal of the box around those points of a sampled surface that are not rounding: the
+/// others may be far away. `diagonal`: of the box around all. Infinite where too many are rounding,
+/// which is the surface then, as of sin(1e15 u).
 double diagonal_without_rounding(std::span<const SurfacePoint> points, std::span<const dvec2> uv,
                                  double diagonal);
 

@@ -49,6 +49,7 @@ void VertexGeometry::replace_rounding_of_root_grid(unsigned threads) {
     std::iota(steep.begin(), steep.end(), std::size_t{0});
   }
   std::vector<dvec2> uv;
+  uv.reserve(steep.size());
   for (const std::size_t vertex : steep) uv.push_back(grid_.uv(vertex));
   const std::vector<SurfacePoint> points = saddle::evaluate(surface_, uv, threads);
   if (may_be_anywhere) size_ = diagonal_without_rounding(points, uv, size_);
