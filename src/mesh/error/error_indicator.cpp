@@ -146,15 +146,16 @@ double ErrorIndicator::bulge_of_triangles(const SampleVertices& samples, std::si
                   bulge(sides[first + 2], sides[(first + 3) % 4], diagonal));
 }
 
-/// The distance of a leaf's centre from its two triangles, cut from corner `first`, or the height
-/// of their diagonal above it, which is larger. At an upright front the centre may be far from the
-/// diagonal, but near the triangles; so it is in a twisted leaf, which the diagonal sticks out of.
+/// The distance of a leaf's centre from its two triangles, cut from corner `first`: at an upright
+/// front the diagonal may be far. That sticks out of a twisted leaf, where its height counts.
 double ErrorIndicator::distance_from_triangles(const Leaf& leaf, std::size_t first,
                                                const ChordSample& diagonal) const {
   const auto& [corner, side, centre] = leaf.samples;
   const auto at = [&](std::size_t k) { return corner[(first + k) % 4]; };
   const std::array triangles = {Triangle{at(0), at(1), at(2)}, Triangle{at(2), at(3), at(0)}};
-  const dvec3 normal = is_regular(centre) ? mesh_.normal[centre] : dvec3(0);
+  const auto& n = mesh_.normal;
+  const double least = std::min(glm::dot(n[at(0)], n[at(2)]), glm::dot(n[at(1)], n[at(3)]));
+  const dvec3 normal = is_regular(centre) && least < kSteepCosine ? n[centre] : dvec3(0);
   return std::max(std::fabs(glm::dot(diagonal.off, normal)),
                   distance_from(grid_, triangles, mesh_.uv[centre], mesh_.position[centre]));
 }
@@ -254,13 +255,12 @@ bool ErrorIndicator::splits_u(const Leaf& leaf, const Counterexample& counterexa
 }
 
 bool ErrorIndicator::splits_u(const Leaf& leaf, const ErrorRatios& ratios) const {
-  const auto& corner = leaf.samples.corner;
-  // The sides of a twisted leaf are straight; the longer ones are halved.
-  constexpr double kStraight = 0.1;
+  constexpr double kStraight = 0.1;  // as sides of a twisted leaf: the longer ones are halved
   if (std::max(ratios.along_u, ratios.along_v) > kStraight * ratios.centre) {
     return ratios.along_u >= ratios.along_v;
   }
   const auto length = [&](std::size_t a, std::size_t b) {
+    const auto& corner = leaf.samples.corner;
     return glm::distance(mesh_.position[corner[a]], mesh_.position[corner[b]]);
   };
   return length(0, 1) + length(3, 2) >= length(0, 3) + length(1, 2);

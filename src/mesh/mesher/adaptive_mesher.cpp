@@ -431,8 +431,8 @@ bool AdaptiveMesher::is_wall_at_pole(const Leaf& leaf) const {
 void AdaptiveMesher::leave_out_unclear() {
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     const Leaf& leaf = mesh_.leaves[k];
-    const bool is_unclear =
-        leaf.state.is_cut_by_feature() && is_small(leaf) && direction_.is_cut_unclearly(k);
+    const bool is_unclear = leaf.state.is_cut_by_feature() && is_small(leaf) &&
+                            (direction_.is_cut_unclearly(k) || direction_.joins_sheets(k));
     if (is_unclear || is_wall_at_pole(leaf)) leave_out(k);
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -11,6 +12,7 @@
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
 #include "mesh/tree/feature_count.h"
+#include "mesh/tree/leaf_border.h"
 
 namespace saddle {
 
@@ -126,6 +128,17 @@ bool SplitDirection::is_cut_unclearly(std::size_t number) const {
     return leaf.state.may_be_halved() && !features.is_through() && !features.is_crease_in_strip();
   const bool may_overlap = !features.is_through() || tree_.inner().has(leaf);
   return features.has_more || (may_overlap && !covers_leaf(leaf, tree_));
+}
+
+bool SplitDirection::joins_sheets(std::size_t number) const {
+  const std::optional<double> border = border_of_pieces(mesh_.leaves[number], tree_);
+  if (!border) return false;
+  const double longest = std::max(*border, mesh_.allowed[number]);
+  const auto& position = tree_.mesh().position;
+  return std::ranges::any_of(mesh_.triangles.of(number), [&](const Triangle& t) {
+    return glm::distance(position[t[0]], position[t[1]]) > longest ||
+           glm::distance(position[t[1]], position[t[2]]) > longest;
+  });
 }
 
 }  // namespace saddle

@@ -23,6 +23,9 @@ class SplitDirection {
   /// Whether the edge features of a leaf do not divide it into clear sub-polygons: more than one
   /// jump, or one that ends inside. A leaf with creases only is unclear if a sub-polygon is flat.
   bool is_cut_unclearly(std::size_t leaf) const;
+  /// Whether triangles of a leaf lead from sheet to sheet: one is longer than a tolerance, and than
+  /// all pieces of the surface around the leaf.
+  bool joins_sheets(std::size_t leaf) const;
   /// ErrorIndicator::is_too_small_to_see().
   bool is_too_small_to_see(const Leaf& leaf) const { return indicator_.is_too_small_to_see(leaf); }
 
